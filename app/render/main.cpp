@@ -1,0 +1,13 @@
+#include "app/render/command.h"
+
+int main(int argc, char** argv) {
+    CLI::App app{"Renders, inspects and measures Prizma scenes without a display.", "prizma-render"};
+    app.require_subcommand(1);
+    app.fallthrough(false);
+    prizma::addDevicesCommand(app);
+    prizma::addInfoCommand(app);
+    prizma::addRenderCommand(app);
+    prizma::addBenchCommand(app);
+    CLI11_PARSE(app, argc, argv);
+    return 0;
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "core/bvh/bvh.h"
+#include "core/scene/mesh.h"
+#include "kernels/device_types.h"
+
+#include <span>
+#include <vector>
+
+namespace prizma {
+
+/// How trees lie in device memory: see kernels/device_types.h.
+enum class TreeLayout {
+    Wide8,   ///< For CPU devices: 8-wide nodes, eight triangles a leaf, in structure-of-arrays form.
+    Binary2, ///< For GPU devices: 64-byte nodes that hold both children's boxes.
+};
+
+/// A tree as the device wants it. Indices inside are relative to its own first node and leaf, so that it can be
+/// placed anywhere in a larger buffer. Only the arrays of one layout are filled.
+struct DeviceTree {
+    TreeLayout layout = TreeLayout::Wide8;
+    std::vector<WideNode> wideNodes; ///< [0] is the root.
+    std::vector<WideLeaf> wideLeaves;
+    std::vector<BinaryNode> binaryNodes;
+    std::vector<BinaryTriangle> binaryTriangles;
+    int depth = 0; ///< Of the device tree; at most maxTreeDepth of kernels/device_types.h.
+
+    /// Node indices by height: level 0 holds the nodes whose children are leaves only, each later level those
+    /// whose inner children are all in earlier levels. Refit runs one level after the other.
+    std::vector<std::vector<std::uint32_t>> refitLevels;
+};
+
+/// Lays a tree over a mesh's triangles out for tracing; boxes are collapsed 2 -> 8 by surface area for Wide8
+/// (Ylitie et al. 2017, greedy form). `bvh` was built over the boxes of `mesh.triangles`.
+DeviceTree layOutBottomLevel(const Bvh& bvh, const Mesh& mesh, TreeLayout layout);
+
+/// Lays a tree over instances out: leaves hold one instance index each, no leaf array is filled.
+/// `bvh` was built with maxLeafSize 1.
+DeviceTree layOutTopLevel(const Bvh& bvh, TreeLayout layout);
+
+/// Boxes of a mesh's triangles, in order; what buildBvh wants.
+std::vector<Bounds> triangleBounds(const Mesh& mesh);
+
+} // namespace prizma

@@ -1,0 +1,58 @@
+#include "core/scene/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prizma {
+namespace {
+
+bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+std::string findSkinningFault(const Mesh& mesh) {
+    if (!mesh.isSkinned())
+        return {};
+    if (mesh.firstInfluence.size() != mesh.positions.size() + 1)
+        return "the list of bone weights does not match the number of vertices";
+    if (mesh.firstInfluence.front() != 0 || mesh.firstInfluence.back() != mesh.influences.size() ||
+        !std::is_sorted(mesh.firstInfluence.begin(), mesh.firstInfluence.end()))
+        return "the list of bone weights is out of order";
+    const auto boneCount = mesh.skeleton->bones.size();
+    for (const BoneInfluence& influence : mesh.influences)
+        if (influence.bone >= boneCount || !std::isfinite(influence.weight))
+            return "a vertex is bound to a bone that does not exist";
+    for (std::size_t i = 0; i < boneCount; ++i)
+        if (mesh.skeleton->bones[i].parent >= static_cast<int>(i))
+            return "a bone comes before its parent";
+    return {};
+}
+
+} // namespace
+
+std::string findFault(const Mesh& mesh) {
+    const auto vertexCount = mesh.positions.size();
+    if (mesh.triangles.empty())
+        return "there are no triangles in it";
+    if (mesh.normals.size() != vertexCount)
+        return "the number of normals does not match the number of vertices";
+    if (!mesh.texCoords.empty() && mesh.texCoords.size() != vertexCount)
+        return "the number of texture coordinates does not match the number of vertices";
+    if (mesh.triangleSlots.size() != mesh.triangles.size() || mesh.slots.empty())
+        return "the triangles have no materials";
+    if (!std::all_of(mesh.positions.begin(), mesh.positions.end(), isFinite))
+        return "a vertex position is not a finite number";
+    for (const glm::uvec3& t : mesh.triangles)
+        if (t.x >= vertexCount || t.y >= vertexCount || t.z >= vertexCount)
+            return "a triangle refers to a vertex that does not exist";
+    for (const std::uint32_t slot : mesh.triangleSlots)
+        if (slot >= mesh.slots.size())
+            return "a triangle refers to a material that does not exist";
+    return findSkinningFault(mesh);
+}
+
+void updateBounds(Mesh& mesh) {
+    mesh.bounds = {};
+    for (const glm::vec3& position : mesh.positions)
+        mesh.bounds.add(position);
+}
+
+} // namespace prizma

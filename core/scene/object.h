@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/scene/clip.h"
+#include "core/scene/id.h"
+#include "core/scene/mesh.h"
+#include "core/scene/transform.h"
+
+#include <string>
+#include <vector>
+
+namespace prizma {
+
+enum class UpAxis { Y, Z };
+
+enum class PrimitiveType { Plane, Cube, Sphere, Cylinder, Torus };
+
+/// Where an object's mesh comes from: a model file (with the options it was read with) or a primitive.
+/// It is what the project file stores instead of the mesh.
+struct MeshSource {
+    std::string file; ///< Absolute path; empty for a primitive.
+    UpAxis upAxis = UpAxis::Y;
+    double unitScale = 1.0; ///< Scene units a unit of the file.
+
+    PrimitiveType primitive = PrimitiveType::Cube;
+    double size = 1.0; ///< Edge length or diameter.
+
+    bool isPrimitive() const { return file.empty(); }
+
+    friend bool operator==(const MeshSource&, const MeshSource&) = default;
+};
+
+/// A mesh placed in the world. Objects may share a mesh; each is one instance under the top level.
+struct Object {
+    Id id = noId;
+    std::string name;
+    MeshSource source;
+    MeshPtr mesh;                 ///< Null while it is being loaded, or if that failed.
+    Transform transform;
+    std::vector<Id> materials;    ///< One a slot of the mesh.
+    bool visible = true;
+    bool dynamic = false;         ///< Its vertices move (thesis: Static or Dynamic).
+
+    std::vector<std::string> clipFiles; ///< Absolute paths of the animation files brought in beside the model.
+    std::vector<ClipPtr> clips;
+    std::string clip; ///< Name of the clip that plays; empty for the bind pose.
+
+    friend bool operator==(const Object&, const Object&) = default;
+};
+
+/// The box of the object's mesh in world space (bind pose); empty without a mesh.
+DBounds worldBounds(const Object& object);
+
+} // namespace prizma

@@ -1,0 +1,266 @@
+#include "core/scene/properties.h"
+
+#include "core/scene/property_tables.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace prizma {
+namespace {
+
+bool isFiniteValue(const PropertyValue& value) {
+    return std::visit(
+        [](const auto& v) {
+            using V = std::decay_t<decltype(v)>;
+            if constexpr (std::is_same_v<V, double>)
+                return std::isfinite(v);
+            else if constexpr (std::is_same_v<V, glm::dvec2>)
+                return std::isfinite(v.x) && std::isfinite(v.y);
+            else if constexpr (std::is_same_v<V, glm::dvec3>)
+                return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+            else if constexpr (std::is_same_v<V, glm::dquat>)
+                return std::isfinite(glm::length(v)) && glm::length(v) > 0.0;
+            else
+                return true;
+        },
+        value);
+}
+
+/// `value` brought into the property's range, or an error if its type or content is wrong.
+template <class Owner>
+Result<PropertyValue> checkValue(const Property<Owner>& property, PropertyValue value) {
+    const std::string key(property.key);
+    if (value.index() != property.get(Owner{}).index())
+        return failure("\"" + key + "\" is of another type");
+    if (!isFiniteValue(value))
+        return failure("\"" + key + "\" must be finite");
+    const double low = property.minimum;
+    const double high = property.maximum;
+    if (auto* number = std::get_if<double>(&value))
+        *number = std::clamp(*number, low, high);
+    else if (auto* integer = std::get_if<int>(&value))
+        *integer = static_cast<int>(std::clamp(static_cast<double>(*integer), low, high));
+    else if (auto* pair = std::get_if<glm::dvec2>(&value))
+        *pair = glm::clamp(*pair, low, high);
+    else if (auto* triple = std::get_if<glm::dvec3>(&value))
+        *triple = glm::clamp(*triple, low, high);
+    else if (property.kind == PropertyKind::Choice) {
+        const auto& chosen = std::get<std::string>(value);
+        if (std::none_of(property.choices.begin(), property.choices.end(),
+                         [&](const Choice& choice) { return choice.key == chosen; }))
+            return failure("\"" + chosen + "\" is no possible value of \"" + key + "\"");
+    }
+    return value;
+}
+
+template <class Owner>
+const Property<Owner>* findProperty(std::string_view key) {
+    const auto all = propertiesOf<Owner>();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.key == key; });
+    return found == all.end() ? nullptr : &*found;
+}
+
+/// Calls `visitor` with the entity itself; false if the scene has none such.
+template <class Visitor>
+bool visitEntity(const Scene& scene, EntityRef entity, Visitor&& visitor) {
+    const auto visitPointer = [&](const auto* item) {
+        if (item)
+            visitor(*item);
+        return item != nullptr;
+    };
+    switch (entity.kind) {
+    case EntityKind::Object: return visitPointer(scene.findObject(entity.id));
+    case EntityKind::Light: return visitPointer(scene.findLight(entity.id));
+    case EntityKind::Material: return visitPointer(scene.findMaterial(entity.id));
+    case EntityKind::Camera: return visitPointer(&scene.camera);
+    case EntityKind::Background: return visitPointer(&scene.background);
+    case EntityKind::Timeline: return visitPointer(&scene.timeline);
+    case EntityKind::Render: return visitPointer(&scene.render);
+    }
+    return false;
+}
+
+/// The entity for changing; `entity` is in the scene.
+template <class T>
+T& editable(CowList<T>& list, Id id) {
+    auto& items = list.edit();
+    return *std::find_if(items.begin(), items.end(), [id](const T& item) { return item.id == id; });
+}
+
+Object& editable(Scene& scene, const Object& item) { return editable(scene.objects, item.id); }
+Light& editable(Scene& scene, const Light& item) { return editable(scene.lights, item.id); }
+Material& editable(Scene& scene, const Material& item) { return editable(scene.materials, item.id); }
+Camera& editable(Scene& scene, const Camera&) { return scene.camera; }
+Background& editable(Scene& scene, const Background&) { return scene.background; }
+Timeline& editable(Scene& scene, const Timeline&) { return scene.timeline; }
+RenderSettings& editable(Scene& scene, const RenderSettings&) { return scene.render; }
+
+Diagnostic noSuchEntity() { return {Severity::Error, "it is no longer in the scene", {}, 0}; }
+
+std::optional<double> parseNumber(std::string_view text) {
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size())
+        return std::nullopt;
+    return number;
+}
+
+/// "1,2,3" as numbers; nothing if any part is not one.
+std::optional<std::vector<double>> parseNumbers(std::string_view text) {
+    std::vector<double> numbers;
+    while (true) {
+        const auto comma = text.find(',');
+        const auto number = parseNumber(text.substr(0, comma));
+        if (!number)
+            return std::nullopt;
+        numbers.push_back(*number);
+        if (comma == std::string_view::npos)
+            return numbers;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+std::optional<PropertyValue> parseValue(PropertyKind kind, std::string_view text) {
+    if (kind == PropertyKind::Text || kind == PropertyKind::Choice)
+        return std::string(text);
+    if (kind == PropertyKind::Texture)
+        return Texture{std::string(text), nullptr};
+    if (kind == PropertyKind::Boolean) {
+        if (text == "true" || text == "false")
+            return text == "true";
+        return std::nullopt;
+    }
+    const auto numbers = parseNumbers(text);
+    if (!numbers)
+        return std::nullopt;
+    const auto& n = *numbers;
+    switch (kind) {
+    case PropertyKind::Integer:
+        return n.size() == 1 && std::abs(n[0]) < 2e9 ? std::optional<PropertyValue>(static_cast<int>(n[0]))
+                                                     : std::nullopt;
+    case PropertyKind::Number: return n.size() == 1 ? std::optional<PropertyValue>(n[0]) : std::nullopt;
+    case PropertyKind::Vector2:
+        return n.size() == 2 ? std::optional<PropertyValue>(glm::dvec2(n[0], n[1])) : std::nullopt;
+    case PropertyKind::Vector3:
+    case PropertyKind::Color:
+        return n.size() == 3 ? std::optional<PropertyValue>(glm::dvec3(n[0], n[1], n[2])) : std::nullopt;
+    case PropertyKind::Rotation:
+        return n.size() == 4 ? std::optional<PropertyValue>(glm::dquat(n[3], n[0], n[1], n[2])) : std::nullopt;
+    default: return std::nullopt;
+    }
+}
+
+template <class T>
+std::optional<EntityRef> findNamed(const CowList<T>& list, EntityKind kind, std::string_view name) {
+    for (const T& item : list)
+        if (item.name == name)
+            return EntityRef{kind, item.id};
+    return std::nullopt;
+}
+
+/// The entity that "lights.key" or "camera" names.
+std::optional<EntityRef> parseEntity(const Scene& scene, std::string_view path) {
+    if (path == "camera")
+        return EntityRef{EntityKind::Camera};
+    if (path == "background")
+        return EntityRef{EntityKind::Background};
+    if (path == "timeline")
+        return EntityRef{EntityKind::Timeline};
+    if (path == "render")
+        return EntityRef{EntityKind::Render};
+    const auto dot = path.find('.');
+    if (dot == std::string_view::npos)
+        return std::nullopt;
+    const auto group = path.substr(0, dot);
+    const auto name = path.substr(dot + 1);
+    if (group == "objects")
+        return findNamed(scene.objects, EntityKind::Object, name);
+    if (group == "lights")
+        return findNamed(scene.lights, EntityKind::Light, name);
+    if (group == "materials")
+        return findNamed(scene.materials, EntityKind::Material, name);
+    return std::nullopt;
+}
+
+} // namespace
+
+std::vector<PropertyInfo> properties(const Scene& scene, EntityRef entity) {
+    std::vector<PropertyInfo> infos;
+    visitEntity(scene, entity, [&]<class Owner>(const Owner& owner) {
+        for (const Property<Owner>& p : propertiesOf<Owner>())
+            infos.push_back({p.key, p.label, p.help, p.kind, p.unit, p.minimum, p.maximum, p.step, p.choices,
+                             !p.applies || p.applies(owner), p.get(owner), p.get(Owner{})});
+    });
+    return infos;
+}
+
+Result<PropertyValue> getProperty(const Scene& scene, EntityRef entity, std::string_view key) {
+    Result<PropertyValue> result = std::unexpected(noSuchEntity());
+    visitEntity(scene, entity, [&]<class Owner>(const Owner& owner) {
+        if (const auto* property = findProperty<Owner>(key))
+            result = property->get(owner);
+        else
+            result = failure("there is no property \"" + std::string(key) + "\"");
+    });
+    return result;
+}
+
+Result<void> setProperty(Scene& scene, EntityRef entity, std::string_view key, const PropertyValue& value) {
+    Result<void> result = std::unexpected(noSuchEntity());
+    visitEntity(scene, entity, [&]<class Owner>(const Owner& owner) {
+        const auto* property = findProperty<Owner>(key);
+        if (!property) {
+            result = failure("there is no property \"" + std::string(key) + "\"");
+            return;
+        }
+        const auto checked = checkValue(*property, value);
+        if (!checked) {
+            result = std::unexpected(checked.error());
+            return;
+        }
+        property->set(editable(scene, owner), *checked);
+        result = {};
+    });
+    return result;
+}
+
+std::string displayName(const Scene& scene, EntityRef entity) {
+    std::string name;
+    visitEntity(scene, entity, [&]<class Owner>(const Owner& owner) {
+        if constexpr (requires { owner.name; })
+            name = owner.name;
+    });
+    switch (entity.kind) {
+    case EntityKind::Camera: return "Camera";
+    case EntityKind::Background: return "Background";
+    case EntityKind::Timeline: return "Timeline";
+    case EntityKind::Render: return "Render settings";
+    default: return name;
+    }
+}
+
+Result<void> applyAssignment(Scene& scene, std::string_view assignment) {
+    const auto whole = std::string(assignment);
+    const auto equals = assignment.find('=');
+    const auto dot = assignment.substr(0, equals).find_last_of('.');
+    if (equals == std::string_view::npos || dot == std::string_view::npos)
+        return failure("\"" + whole + "\" is not of the form lights.NAME.KEY=VALUE or camera.KEY=VALUE");
+    const auto entity = parseEntity(scene, assignment.substr(0, dot));
+    if (!entity)
+        return failure("the scene has no \"" + std::string(assignment.substr(0, dot)) + "\"");
+    const auto key = assignment.substr(dot + 1, equals - dot - 1);
+    for (const PropertyInfo& info : properties(scene, *entity)) {
+        if (info.key != key)
+            continue;
+        const auto value = parseValue(info.kind, assignment.substr(equals + 1));
+        if (!value)
+            return failure("\"" + std::string(assignment.substr(equals + 1)) + "\" is no value for \"" +
+                           std::string(key) + "\"");
+        return setProperty(scene, *entity, key, *value);
+    }
+    return failure("there is no property \"" + std::string(key) + "\"");
+}
+
+} // namespace prizma

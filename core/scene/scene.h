@@ -1,0 +1,85 @@
+#pragma once
+
+#include "core/scene/camera.h"
+#include "core/scene/cow_list.h"
+#include "core/scene/light.h"
+#include "core/scene/material.h"
+#include "core/scene/object.h"
+
+#include <optional>
+#include <string>
+
+namespace prizma {
+
+struct Background {
+    glm::dvec3 color{0.05, 0.06, 0.08}; ///< Radiance where there is no image.
+    Texture image;                      ///< Equirectangular; its middle looks along -Z.
+    double intensity = 1.0;             ///< Multiplies colour or image.
+
+    friend bool operator==(const Background&, const Background&) = default;
+};
+
+/// Whole frames, `start` to `end` inclusive; `frame` may lie between two while playing.
+struct Timeline {
+    double fps = 30.0;
+    int start = 0;
+    int end = 120;
+    double frame = 0.0;
+
+    double seconds() const { return fps > 0.0 ? frame / fps : 0.0; }
+
+    friend bool operator==(const Timeline&, const Timeline&) = default;
+};
+
+/// What a ray's first hit turns into.
+enum class ShaderType { Whitted, Normals, TexCoords, Depth, TraversalCost };
+
+struct RenderSettings {
+    ShaderType shader = ShaderType::Whitted;
+    int maxDepth = 6;      ///< Mirror and glass bounces; 0 is direct light only.
+    int samples = 256;     ///< A pixel is done after this many.
+    double exposure = 0.0; ///< In stops; display only.
+
+    friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
+};
+
+/// Everything a picture depends on. A value: copying costs a few pointers (snapshots), `==` says whether two
+/// scenes look the same. Heavy parts (meshes, images, clips) are shared and never change.
+struct Scene {
+    CowList<Object> objects;
+    CowList<Light> lights;
+    CowList<Material> materials;
+    Camera camera;
+    Background background;
+    Timeline timeline;
+    RenderSettings render;
+    Id lastId = noId;
+
+    /// A new id, never given out before by this scene.
+    Id newId() { return ++lastId; }
+
+    const Object* findObject(Id id) const;
+    const Light* findLight(Id id) const;
+    const Material* findMaterial(Id id) const;
+    const Material* findMaterial(const std::string& name) const;
+
+    friend bool operator==(const Scene&, const Scene&) = default;
+};
+
+/// Appends a copy of `item` with a new id and, if its name is taken in that list, a new name ("bunny 2").
+Id addObject(Scene& scene, Object item);
+Id addLight(Scene& scene, Light item);
+Id addMaterial(Scene& scene, Material item);
+
+/// `wanted`, or "wanted 2", "wanted 3", ... whichever no item of `list` has.
+template <class T>
+std::string uniqueName(const CowList<T>& list, const std::string& wanted);
+
+/// World box of all visible objects that have a mesh; empty if there is none.
+DBounds worldBounds(const Scene& scene);
+
+/// `camera` moved along its own view direction so that `bounds` fills the picture (`aspect` is width / height) with
+/// a small margin; unchanged for empty bounds.
+Camera frameBounds(Camera camera, const DBounds& bounds, double aspect);
+
+} // namespace prizma

@@ -1,0 +1,153 @@
+// The structs that kernels and C++ share, byte for byte. Read by both compilers: plain scalars only, no float3,
+// and every size is checked below on the C++ side.
+#ifndef PRIZMA_DEVICE_TYPES_H
+#define PRIZMA_DEVICE_TYPES_H
+
+#ifdef __OPENCL_VERSION__
+typedef uint DeviceUint;
+typedef int DeviceInt;
+#else
+#include <cstdint>
+namespace prizma {
+typedef std::uint32_t DeviceUint;
+typedef std::int32_t DeviceInt;
+#endif
+
+// A child reference in a tree: an inner node's index, or a leaf (LEAF_BIT set), or no child at all.
+#define PRIZMA_LEAF_BIT 0x80000000u
+#define PRIZMA_NO_CHILD 0xFFFFFFFFu
+// Binary2: LEAF_BIT | (count - 1) << 28 | first triangle.
+#define PRIZMA_LEAF_COUNT_SHIFT 28u
+#define PRIZMA_LEAF_FIRST_MASK 0x0FFFFFFFu
+
+// No device tree is deeper, which bounds the traversal stack.
+#define PRIZMA_MAX_TREE_DEPTH 64
+
+#define PRIZMA_NO_HIT 0xFFFFFFFFu
+
+// Wide8: boxes of eight children as lowX, highX, lowY, highY, lowZ, highZ. A missing child has an inside-out box.
+typedef struct {
+    float bounds[6][8];
+    DeviceUint child[8]; // a leaf child is LEAF_BIT | index of a WideLeaf (top level: of an instance)
+} WideNode;
+
+// Wide8: corners A, B, C of eight triangles as Ax[8], Ay[8], Az[8], Bx[8] ... Cz[8]. Places beyond the last triangle
+// repeat it.
+typedef struct {
+    float corner[9][8];
+    DeviceUint primitive[8]; // index into the mesh's triangles
+} WideLeaf;
+
+// Binary2 (Aila and Laine 2009): both children's boxes in one 64-byte node. A missing child has an inside-out box.
+typedef struct {
+    float box0xy[4]; // lowX, highX, lowY, highY of child 0
+    float box1xy[4]; // the same of child 1
+    float boxesZ[4]; // lowZ, highZ of child 0, lowZ, highZ of child 1
+    DeviceUint child[2];
+    DeviceUint padding[2];
+} BinaryNode;
+
+typedef struct {
+    float a[3];
+    DeviceUint primitive; // index into the mesh's triangles
+    float b[3];
+    float padding1;
+    float c[3];
+    float padding2;
+} BinaryTriangle;
+
+// World space means: relative to the scene's anchor, a point near the camera.
+typedef struct {
+    float origin[3];
+    float tMin;
+    float direction[3];
+    float tMax;
+} DeviceRay;
+
+// The point is (1 - u - v) A + u B + v C. instance is NO_HIT for a miss; t is then infinite.
+typedef struct {
+    float t;
+    float u;
+    float v;
+    DeviceUint instance;
+    DeviceUint primitive;
+} DeviceHit;
+
+// An object placed in the world. Matrices are 3x4, row by row.
+typedef struct {
+    float worldToObject[12];
+    float objectToWorld[12];
+    DeviceUint nodeBase;     // first node of its bottom level
+    DeviceUint leafBase;     // first leaf (Wide8) or leaf triangle (Binary2)
+    DeviceUint vertexBase;   // first vertex in the vertex arrays
+    DeviceUint triangleBase; // first DeviceTriangle
+    DeviceUint slotBase;     // first of its material slots in the slot table
+    DeviceUint hasTexCoords;
+    DeviceUint padding[2];
+} DeviceInstance;
+
+// A triangle as shading sees it: vertex indices relative to vertexBase, material slot relative to slotBase.
+typedef struct {
+    DeviceUint a, b, c;
+    DeviceUint slot;
+} DeviceTriangle;
+
+#define PRIZMA_NO_TEXTURE 0xFFFFFFFFu
+
+typedef struct {
+    float baseColor[3];
+    float alpha;
+    float emission[3]; // times its strength
+    float specular;
+    float metallic;
+    float roughness;
+    float transmission;
+    float ior;
+    DeviceUint baseColorTexture;
+    DeviceUint normalTexture;
+    DeviceUint padding[2];
+} DeviceMaterial;
+
+// A picture inside the texel buffer: 8-bit sRGB RGBA (one uint a texel) or four linear floats a texel.
+typedef struct {
+    DeviceUint offset; // in 4-byte words
+    DeviceInt width;
+    DeviceInt height;
+    DeviceUint isFloat;
+} DeviceTexture;
+
+#define PRIZMA_LIGHT_POINT 0u
+#define PRIZMA_LIGHT_SPOT 1u
+#define PRIZMA_LIGHT_DIRECTIONAL 2u
+#define PRIZMA_LIGHT_RECTANGLE 3u
+#define PRIZMA_LIGHT_SPHERE 4u
+
+typedef struct {
+    float position[3]; // relative to the anchor
+    DeviceUint type;
+    float direction[3]; // unit; where it travels (rectangle: its normal)
+    float cosInner;
+    float strength[3]; // colour times intensity, irradiance or radiance
+    float cosOuter;
+    float halfU[3]; // rectangle: from the centre to the middle of an edge
+    float radius;
+    float halfV[3];
+    float padding;
+} DeviceLight;
+
+#ifndef __OPENCL_VERSION__
+static_assert(sizeof(WideNode) == 224);
+static_assert(sizeof(WideLeaf) == 320);
+static_assert(sizeof(BinaryNode) == 64);
+static_assert(sizeof(BinaryTriangle) == 48);
+static_assert(sizeof(DeviceRay) == 32);
+static_assert(sizeof(DeviceHit) == 20);
+static_assert(sizeof(DeviceInstance) == 128);
+static_assert(sizeof(DeviceTriangle) == 16);
+static_assert(sizeof(DeviceMaterial) == 64);
+static_assert(sizeof(DeviceTexture) == 16);
+static_assert(sizeof(DeviceLight) == 80);
+} // namespace prizma
+#endif
+
+#endif

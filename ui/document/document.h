@@ -1,0 +1,76 @@
+#pragma once
+
+#include "core/project/project_file.h"
+#include "core/scene/diff.h"
+#include "core/scene/properties.h"
+#include "core/scene/scene.h"
+
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+
+#include <functional>
+#include <vector>
+
+namespace prizma {
+
+/// The scene that is being edited, its undo stack, its selection and its file. Every edit of the scene goes through
+/// the undo stack; everybody else reads `scene()` and listens to `sceneChanged`.
+class Document : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit Document(QObject* parent = nullptr);
+
+    const Scene& scene() const { return scene_; }
+    QUndoStack& undoStack() { return undoStack_; }
+
+    /// Things that are selected, the current one last. Never holds what is not in the scene.
+    const std::vector<EntityRef>& selection() const { return selection_; }
+    void setSelection(std::vector<EntityRef> selection);
+
+    /// A number for one gesture (a drag, a run of typing): edits with equal gesture numbers become one undo step.
+    int newGesture() { return ++lastGesture_; }
+
+    /// Sets one property of one or several things as one undo step named after it ("Change intensity of key").
+    /// A value that changes nothing makes no step. Returns what was wrong with the value, or nothing.
+    QString setProperty(const std::vector<EntityRef>& entities, std::string_view key, const PropertyValue& value,
+                        int gesture = 0);
+
+    /// Any other edit as one undo step called `text`: `change` gets a copy of the scene and alters it.
+    void edit(const QString& text, const std::function<void(Scene&)>& change, int gesture = 0);
+
+    /// Moves the camera. Part of the document (it marks it as modified) but not of the undo stack: nobody expects
+    /// Ctrl+Z to orbit back.
+    void setCamera(const Camera& camera);
+
+    /// Replaces everything: the undo stack is cleared. `file` is empty for a scene that was never saved.
+    void reset(Scene scene, const QString& file, UnknownKeysPtr unknownKeys = {});
+
+    /// Saves to `file`, which becomes the document's file. Returns what went wrong, or nothing.
+    QString save(const QString& file);
+
+    const QString& file() const { return file_; } ///< Absolute path, or empty.
+    QString title() const;                        ///< File name without path, or "Untitled".
+    bool isModified() const;
+
+  Q_SIGNALS:
+    void sceneChanged(const prizma::SceneDiff& changes);
+    void selectionChanged();
+    void fileChanged(); ///< Title or modified mark.
+
+  private:
+    friend class SceneCommand;
+    void apply(const Scene& scene);
+    void dropLostSelection();
+
+    Scene scene_;
+    QUndoStack undoStack_;
+    std::vector<EntityRef> selection_;
+    QString file_;
+    UnknownKeysPtr unknownKeys_;
+    bool cameraMoved_ = false;
+    int lastGesture_ = 0;
+};
+
+} // namespace prizma

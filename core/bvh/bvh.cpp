@@ -19,10 +19,13 @@ constexpr std::uint32_t subtreeSize = 4096; ///< Smaller subtrees are one task.
 
 SahCosts costsOf(const BvhBuildOptions& options) {
     const auto width = std::bit_ceil(std::max(options.leafWidth, 1u));
-    return {options.traversalCost, options.intersectionCost, static_cast<std::uint32_t>(std::countr_zero(width))};
+    return {options.traversalCost, options.intersectionCost,
+            static_cast<std::uint32_t>(std::countr_zero(width))};
 }
 
-std::uint32_t blocksOf(std::uint32_t count) { return (count + blockSize - 1) / blockSize; }
+std::uint32_t blocksOf(std::uint32_t count) {
+    return (count + blockSize - 1) / blockSize;
+}
 
 template <class Work>
 void forEachBlock(std::uint32_t count, const Work& work) {
@@ -37,14 +40,15 @@ void forEachBlock(std::uint32_t count, const Work& work) {
 
 bool isUsable(const Bounds& box) {
     // Comparisons with NaN are false; the sum is finite only if all of it is.
-    return !box.isEmpty() && std::isfinite(box.low.x) && std::isfinite(box.low.y) && std::isfinite(box.low.z) &&
-           std::isfinite(box.high.x) && std::isfinite(box.high.y) && std::isfinite(box.high.z);
+    return !box.isEmpty() && std::isfinite(box.low.x) && std::isfinite(box.low.y) &&
+           std::isfinite(box.low.z) && std::isfinite(box.high.x) && std::isfinite(box.high.y) &&
+           std::isfinite(box.high.z);
 }
 
-/// Fragments go back and forth between two arrays, from level to level. A range of them keeps its place, so that
-/// a leaf's range is also its range in `Bvh::primitives`.
+/// Fragments go back and forth between two arrays, from level to level. A range of them keeps its place, so
+/// that a leaf's range is also its range in `Bvh::primitives`.
 class Builder {
-  public:
+public:
     Builder(const BvhBuildOptions& options, Progress& progress)
         : options_(options), costs_(costsOf(options)), progress_(progress) {
         options_.maxLeafSize = std::max(options_.maxLeafSize, 1u);
@@ -56,7 +60,7 @@ class Builder {
 
     Result<Bvh> build();
 
-  private:
+private:
     /// A node that is still to be made: fragments [first, first + count) of one of the arrays.
     struct Job {
         Box4 box;
@@ -85,8 +89,8 @@ class Builder {
     void buildSubtree(const Job& root, Branch& branch);
     void makeLeaf(const Job& job, BvhNode& node);
     bool divide(const Job& job, BinSet& bins, Children& children);
-    void divideAt(const Split& split, const Job& job, const BinMapping& mapping, const std::vector<BinSet>& blocks,
-                  Children& children);
+    void divideAt(const Split& split, const Job& job, const BinMapping& mapping,
+                  const std::vector<BinSet>& blocks, Children& children);
     void divideInHalves(const Job& job, Children& children);
     int levelsFor(std::uint32_t count) const;
     bool fits(const Job& job, std::uint32_t childCount) const {
@@ -304,8 +308,8 @@ void Builder::divideAt(const Split& split, const Job& job, const BinMapping& map
     }
 }
 
-/// The way out where no plane helps: coincident centroids, or a tree that would get too deep. The left side gets
-/// whole leaves, so that `levelsFor` shrinks by one a level.
+/// The way out where no plane helps: coincident centroids, or a tree that would get too deep. The left side
+/// gets whole leaves, so that `levelsFor` shrinks by one a level.
 void Builder::divideInHalves(const Job& job, Children& children) {
     const std::uint32_t leaves = (job.count + options_.maxLeafSize - 1) / options_.maxLeafSize;
     const std::uint32_t leftCount = leaves > 1 ? leaves / 2 * options_.maxLeafSize : job.count / 2;
@@ -313,7 +317,8 @@ void Builder::divideInHalves(const Job& job, Children& children) {
     const Float4 extent = job.centres.high - job.centres.low;
     const int axis = extent[0] >= extent[1] && extent[0] >= extent[2] ? 0 : (extent[1] >= extent[2] ? 1 : 2);
     if (extent[axis] > 0.0f) {
-        std::vector<std::pair<float, std::uint32_t>> order(job.count); // pairs, so that ties do not depend on luck
+        std::vector<std::pair<float, std::uint32_t>> order(
+            job.count); // pairs, so that ties do not depend on luck
         const std::span<const Fragment> from = fragments(job);
         for (std::uint32_t i = 0; i < job.count; ++i)
             order[i] = {from[i].halfCentre()[axis], i};
@@ -345,7 +350,8 @@ int Builder::levelsFor(std::uint32_t count) const {
 }
 
 template <class BoxOf>
-Result<Bvh> buildFrom(std::size_t count, const BoxOf& boxOf, const BvhBuildOptions& options, Progress& progress) {
+Result<Bvh> buildFrom(std::size_t count, const BoxOf& boxOf, const BvhBuildOptions& options,
+                      Progress& progress) {
     // Both an index and a sum of a node's children have to fit into 32 bits.
     if (count > 0x7FFFFFFFu)
         return failure("There are too many primitives for one tree.");
@@ -386,7 +392,9 @@ double sahCost(const Bvh& bvh, const BvhBuildOptions& options) {
     if (bvh.nodes.empty())
         return 0.0;
     const SahCosts costs = costsOf(options);
-    const auto areaOf = [](const BvhNode& node) { return DBounds{node.bounds.low, node.bounds.high}.halfArea(); };
+    const auto areaOf = [](const BvhNode& node) {
+        return DBounds{node.bounds.low, node.bounds.high}.halfArea();
+    };
     double sum = 0.0;
     for (std::size_t i = 1; i < bvh.nodes.size(); ++i) {
         const BvhNode& node = bvh.nodes[i];

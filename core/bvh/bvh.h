@@ -28,11 +28,13 @@ struct Bvh {
 
 struct BvhBuildOptions {
     std::uint32_t maxLeafSize = 8;
-    /// Bounds the stack of every traversal; held even for hostile input, unless so many primitives cannot fit.
+    /// Bounds the stack of every traversal; held even for hostile input, unless so many primitives cannot
+    /// fit.
     int maxDepth = 60;
-    float traversalCost = 1.0f;    ///< SAH: cost of a node ...
-    float intersectionCost = 1.0f; ///< ... and of a step in a leaf, which tests `leafWidth` primitives at a time.
-    std::uint32_t leafWidth = 8;   ///< Rounded up to a power of two.
+    float traversalCost = 1.0f; ///< SAH: cost of a node ...
+    float intersectionCost =
+        1.0f; ///< ... and of a step in a leaf, which tests `leafWidth` primitives at a time.
+    std::uint32_t leafWidth = 8; ///< Rounded up to a power of two.
 };
 
 /// Parallel binned SAH build (Wald 2007) over the primitives' boxes. Errors: cancelled.
@@ -46,7 +48,8 @@ Bounds triangleBounds(const Mesh& mesh, std::uint32_t triangle);
 /// The same over a mesh's triangles, without a list of their boxes in between.
 Result<Bvh> buildBvh(const Mesh& mesh, const BvhBuildOptions& options, Progress& progress);
 
-/// Expected cost of a random ray that meets the root's box, in units of a node visit (MacDonald and Booth 1990).
+/// Expected cost of a random ray that meets the root's box, in units of a node visit (MacDonald and Booth
+/// 1990).
 double sahCost(const Bvh& bvh, const BvhBuildOptions& options);
 
 } // namespace prizma

@@ -88,8 +88,11 @@ void Collapser::computeCosts() {
 
 /// Adds what stands for a node of the binary tree in at most `slots` children.
 void Collapser::gather(std::uint32_t source, std::uint32_t slots) {
-    const bool opens =
-        !bvh_.nodes[source].isLeaf() && slots > 1 && costs_[source][slots - 1] < costs_[source][0];
+    const Costs& costs = costs_[source];
+    // Where there is no surface at all, costs say nothing: then as wide as possible.
+    const bool isCheaper =
+        slots > 1 && (costs[slots - 1] < costs[0] || (costs[0] == 0.0f && isLeaf_[source] == 0));
+    const bool opens = !bvh_.nodes[source].isLeaf() && isCheaper;
     if (opens)
         gatherBelow(source, slots);
     else

@@ -6,23 +6,40 @@
 namespace prizma {
 namespace {
 
-/// A power of two that brings the box's extents to about one, so that products neither overflow nor vanish.
-float areaScale(const Box4& box) {
-    const Float4 halfExtent = box.high * 0.5f - box.low * 0.5f;
-    const float largest = std::max({halfExtent[0], halfExtent[1], halfExtent[2]});
-    if (!(largest > 0.0f))
-        return 1.0f;
-    return std::ldexp(1.0f, std::clamp(-std::ilogb(largest), -126, 126));
+/// Everything is a local value here, because the compiler must assume that a fragment's write changes all
+/// else.
+template <int axis>
+PartitionBounds partitionAlong(std::span<const Fragment> from, BinMapping mapping, std::uint32_t border,
+                               Fragment* left, Fragment* right) {
+    const auto last = static_cast<std::int32_t>(border) - 1;
+    const Int4 lastLeft = {last, last, last, last};
+    Box4 leftCentres, rightCentres;
+    for (const Fragment& source : from) {
+        const Fragment fragment = source;
+        const Int4 place = mapping(fragment);
+        const Int4 goesRight = __builtin_shufflevector(place, place, axis, axis, axis, axis) > lastLeft;
+        // All bits set is not a number, which the boxes ignore.
+        const Int4 centre = reinterpret_cast<Int4>(fragment.halfCentre());
+        const auto forLeft = reinterpret_cast<Float4>(centre | goesRight);
+        const auto forRight = reinterpret_cast<Float4>(centre | ~goesRight);
+        leftCentres.add(forLeft, forLeft);
+        rightCentres.add(forRight, forRight);
+        const std::ptrdiff_t step = goesRight[0]; // 0 or -1
+        *(step != 0 ? right : left) = fragment;
+        right -= step;
+        left += 1 + step;
+    }
+    return {leftCentres, rightCentres};
 }
 
-float scaledHalfArea(const Box4& box, float scale) { return halfAreaOf(box.high * scale - box.low * scale); }
-
-std::uint32_t difference(std::uint32_t a, std::uint32_t b) { return a > b ? a - b : b - a; }
+std::uint32_t difference(std::uint32_t a, std::uint32_t b) {
+    return a > b ? a - b : b - a;
+}
 
 } // namespace
 
 BinMapping::BinMapping(const Box4& centres, std::uint32_t primitiveCount)
-    : offset_(centres.low), bins_(std::min(maxBins, 4 + primitiveCount / 16)) {
+    : offset_(centres.low), bins_(std::min(maxBins, 8 + primitiveCount / 16)) {
     // A little less than the number of bins, so that rounding cannot reach a bin beyond the last.
     const float reach = static_cast<float>(bins_) * 0.999f;
     for (int axis = 0; axis < 3; ++axis) {
@@ -41,8 +58,10 @@ void BinSet::clear(std::uint32_t bins) {
 }
 
 void BinSet::add(std::span<const Fragment> fragments, const BinMapping& mapping) {
-    for (const Fragment& fragment : fragments) {
-        const Int4 place = mapping(fragment);
+    const BinMapping map = mapping; // a copy stays in registers: nothing that is written can be part of it
+    const auto addOne = [&](const Fragment& source) {
+        const Fragment fragment = source;
+        const Int4 place = map(fragment);
         const int x = place[0], y = place[1], z = place[2];
         boxes[0][x].add(fragment.low, fragment.high);
         boxes[1][y].add(fragment.low, fragment.high);
@@ -50,7 +69,16 @@ void BinSet::add(std::span<const Fragment> fragments, const BinMapping& mapping)
         ++counts[0][x];
         ++counts[1][y];
         ++counts[2][z];
+    };
+    // Neighbours in the list mostly share their bins, and each would wait for the one before to be stored.
+    // Two that are far apart do not.
+    const std::size_t half = fragments.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+        addOne(fragments[i]);
+        addOne(fragments[half + i]);
     }
+    if (fragments.size() % 2 != 0)
+        addOne(fragments.back());
 }
 
 void BinSet::add(const BinSet& other, std::uint32_t bins) {
@@ -112,21 +140,14 @@ Split findBestSplit(const BinSet& bins, const BinMapping& mapping, const Box4& n
 
 PartitionBounds partition(std::span<const Fragment> from, const BinMapping& mapping, const Split& split,
                           Fragment* left, Fragment* right) {
-    const Float4 none = splat(std::numeric_limits<float>::infinity());
-    PartitionBounds bounds;
-    const auto border = static_cast<std::int32_t>(split.bin);
-    for (const Fragment& fragment : from) {
-        const Int4 place = mapping(fragment);
-        const std::int32_t goesRight = place[split.axis] >= border ? -1 : 0;
-        const Int4 mask = {goesRight, goesRight, goesRight, goesRight};
-        const Float4 centre = fragment.halfCentre();
-        bounds.leftCentres.add(mask ? none : centre, mask ? -none : centre);
-        bounds.rightCentres.add(mask ? centre : none, mask ? centre : -none);
-        *(goesRight != 0 ? right : left) = fragment;
-        right -= goesRight;
-        left += 1 + goesRight;
+    switch (split.axis) {
+    case 0:
+        return partitionAlong<0>(from, mapping, split.bin, left, right);
+    case 1:
+        return partitionAlong<1>(from, mapping, split.bin, left, right);
+    default:
+        return partitionAlong<2>(from, mapping, split.bin, left, right);
     }
-    return bounds;
 }
 
 } // namespace prizma

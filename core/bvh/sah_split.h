@@ -9,8 +9,8 @@
 
 namespace prizma {
 
-/// What the builder moves about: a primitive's box with its index in a spare lane, so that every pass over the
-/// primitives reads memory in order.
+/// What the builder moves about: a primitive's box with its index in a spare lane, so that every pass over
+/// the primitives reads memory in order.
 struct alignas(32) Fragment {
     Float4 low; ///< Lane 3: the primitive's index, as bits.
     Float4 high;
@@ -30,8 +30,9 @@ inline constexpr std::uint32_t maxBins = 32;
 
 /// Assigns centroids to bins of equal width along each axis.
 class BinMapping {
-  public:
-    /// `centres`: the box of the half centroids. Small nodes get fewer bins: they have less to gain from many.
+public:
+    /// `centres`: the box of the half centroids. Small nodes get fewer bins: they have less to gain from
+    /// many.
     BinMapping(const Box4& centres, std::uint32_t primitiveCount);
 
     std::uint32_t bins() const { return bins_; }
@@ -45,7 +46,7 @@ class BinMapping {
         return __builtin_convertvector((fragment.halfCentre() - offset_) * scale_, Int4);
     }
 
-  private:
+private:
     Float4 offset_;
     Float4 scale_;
     std::uint32_t bins_;
@@ -78,7 +79,7 @@ struct SahCosts {
 
 /// A plane between two bins. `cost` is relative to the node's own visit, in the unit of SahCosts.
 struct Split {
-    int axis = -1; ///< -1: there is none.
+    int axis = -1;         ///< -1: there is none.
     std::uint32_t bin = 0; ///< First bin of the right side.
     float cost = 0.0f;
 

@@ -11,7 +11,7 @@ constexpr std::chrono::milliseconds updateInterval{250};
 
 } // namespace
 
-FrameMeter::FrameMeter(QObject* parent) : QObject(parent) {
+FrameMeter::FrameMeter(QObject* parent) : QObject(parent), timer_(this) {
     clock_.start();
     timer_.setInterval(updateInterval);
     connect(&timer_, &QTimer::timeout, this, &FrameMeter::update);

@@ -9,7 +9,7 @@ constexpr std::chrono::milliseconds pause{200}; // People rest a hand longer tha
 
 } // namespace
 
-InteractionClock::InteractionClock(QObject* parent) : QObject(parent) {
+InteractionClock::InteractionClock(QObject* parent) : QObject(parent), timer_(this) {
     timer_.setSingleShot(true);
     timer_.setInterval(pause);
     connect(&timer_, &QTimer::timeout, this, &InteractionClock::ended);

@@ -35,6 +35,8 @@ Viewport::Viewport(Document& document, RenderSession& session, QWidget* parent)
     : QWidget(parent),
       document_(document),
       session_(session),
+      clock_(this),
+      meter_(this),
       gestureContext_(*this, document, session, clock_),
       gestures_(*this, gestureContext_),
       overlay_(new StatisticsOverlay(this)) {

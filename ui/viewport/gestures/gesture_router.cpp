@@ -28,11 +28,13 @@ GestureRouter::GestureRouter(QWidget& view, GestureContext& context)
 }
 
 void GestureRouter::press(const QMouseEvent& event) {
-    if (button_ != Qt::NoButton)
+    if (button_ != Qt::NoButton && button_ != event.button() && event.buttons().testFlag(button_))
         return; // A second button during a drag changes nothing.
+    finish();   // If the last release went elsewhere.
     button_ = event.button();
     doubleClick_ = event.type() == QEvent::MouseButtonDblClick;
-    dragging_ = false;
+    if (doubleClick_ && button_ == Qt::LeftButton)
+        targetDoubleClick_.click(event.position());
     last_ = event.position();
     cameraBefore_ = context_.camera();
     const auto found = std::find_if(drags_.begin(), drags_.end(), [&](const auto& drag) {
@@ -74,9 +76,7 @@ void GestureRouter::release(const QMouseEvent& event) {
 void GestureRouter::click(const QMouseEvent& event) {
     if (event.button() == Qt::RightButton)
         Q_EMIT contextMenuRequested(event.globalPosition().toPoint());
-    else if (event.button() == Qt::LeftButton && doubleClick_)
-        targetDoubleClick_.click(event.position());
-    else if (event.button() == Qt::LeftButton)
+    else if (event.button() == Qt::LeftButton && !doubleClick_)
         selectClick_.click(event.position(), event.modifiers());
 }
 

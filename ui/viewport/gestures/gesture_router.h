@@ -50,7 +50,7 @@ class GestureRouter : public QObject {
     TargetDoubleClick targetDoubleClick_;
 
     Qt::MouseButton button_ = Qt::NoButton; ///< That went down first and is still down.
-    bool doubleClick_ = false;
+    bool doubleClick_ = false;              ///< `button_` went down for the second time.
     bool dragging_ = false;
     DragGesture* drag_ = nullptr; ///< Of `button_`; null if it has none.
     QPointF last_;                ///< Where the pointer was, or where the button went down.

@@ -15,6 +15,15 @@
 #include <QVBoxLayout>
 
 namespace prizma {
+namespace {
+
+// At first; people may drag.
+constexpr int dialogWidth = 980;
+constexpr int tableHeight = 220;
+constexpr int factsHeight = 340;
+constexpr int buttonsHeight = 100;
+
+} // namespace
 
 DeviceDialog::DeviceDialog(RenderSession& session, QWidget* parent)
     : QDialog(parent),
@@ -52,8 +61,9 @@ void DeviceDialog::buildLayout() {
     auto* splitter = new QSplitter(Qt::Vertical);
     splitter->addWidget(table_);
     splitter->addWidget(scroll);
-    splitter->setStretchFactor(0, 2);
-    splitter->setStretchFactor(1, 3);
+    splitter->setStretchFactor(0, 1);
+    splitter->setStretchFactor(1, 0);
+    splitter->setSizes({tableHeight, factsHeight});
     splitter->setChildrenCollapsible(false);
 
     status_->setWordWrap(true);
@@ -65,13 +75,17 @@ void DeviceDialog::buildLayout() {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->addButton(useButton_, QDialogButtonBox::ActionRole);
     buttons->addButton(refreshButton_, QDialogButtonBox::ActionRole);
+    // Enter uses the selected device and must not close the dialog too.
+    for (QAbstractButton* button : buttons->buttons())
+        if (auto* push = qobject_cast<QPushButton*>(button))
+            push->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(splitter, 1);
     layout->addWidget(status_);
     layout->addWidget(buttons);
-    resize(860, 620);
+    resize(dialogWidth, tableHeight + factsHeight + buttonsHeight);
 }
 
 void DeviceDialog::connectSession() {
@@ -98,7 +112,9 @@ void DeviceDialog::showDevices(const std::vector<DeviceInfo>& devices) {
     if (devices.empty())
         setStatus(tr("There is no OpenCL device.") + u' ' + deviceInstallHint(), true);
     else
-        setStatus(tr("%n device(s) found.", nullptr, static_cast<int>(devices.size())), false);
+        setStatus(devices.size() == 1 ? tr("One device found.")
+                                      : tr("%n devices found.", nullptr, static_cast<int>(devices.size())),
+                  false);
     showDetails();
     updateButton();
 }

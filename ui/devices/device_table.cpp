@@ -8,6 +8,7 @@
 namespace prizma {
 namespace {
 
+constexpr int columnGap = 8;
 constexpr int indexRole = Qt::UserRole;
 
 enum Column {
@@ -92,8 +93,6 @@ void DeviceTable::setDevices(const std::vector<DeviceInfo>& devices) {
     expandAll();
     markCurrent();
     select(wanted);
-    for (int column = 0; column < columnCount(); ++column)
-        resizeColumnToContents(column);
 }
 
 QTreeWidgetItem* DeviceTable::platformItem(const QString& platform) {
@@ -144,6 +143,11 @@ void DeviceTable::markCurrent() {
         font.setBold(isCurrent);
         (*it)->setFont(NameColumn, font);
         (*it)->setFont(StateColumn, font);
+    }
+    // Bold text is wider.
+    for (int column = 0; column < columnCount(); ++column) {
+        resizeColumnToContents(column);
+        setColumnWidth(column, columnWidth(column) + columnGap);
     }
 }
 

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int padding = 12;
 constexpr int columnGap = 16;
+constexpr int rowGap = 4;
+constexpr int titleGap = 4;
 constexpr int blockGap = 8; // Above and below the line between the blocks.
 constexpr int longestNote = 260;
 
@@ -74,7 +76,8 @@ void StatisticsOverlay::addStages(const std::vector<StageStatistics>& stages) {
     for (const StageStatistics& stage : stages) {
         QString note = QString::fromStdString(stage.why);
         if (stage.objects > 0) {
-            const QString objects = tr("%n object(s)", nullptr, stage.objects);
+            const QString objects =
+                stage.objects == 1 ? tr("1 object") : tr("%n objects", nullptr, stage.objects);
             note = note.isEmpty() ? objects : QStringLiteral("%1, %2").arg(note, objects);
         }
         stages_.push_back({QString::fromStdString(stage.stage), note, milliseconds(stage.milliseconds)});
@@ -99,7 +102,7 @@ StatisticsOverlay::Columns StatisticsOverlay::columns() const {
     const QFontMetrics words(font());
     const QFontMetrics figures(figureFont());
     Columns columns;
-    columns.rowHeight = std::max(words.height(), figures.height()) + 2;
+    columns.rowHeight = std::max(words.height(), figures.height()) + rowGap;
     for (const auto* rows : {&summary_, &stages_})
         for (const Row& row : *rows) {
             columns.label = std::max(columns.label, words.horizontalAdvance(row.label));
@@ -116,7 +119,7 @@ QSize StatisticsOverlay::sizeHint() const {
     const int content = wide.label + columnGap + noteSpace + wide.value;
     const int rows = 1 + static_cast<int>(summary_.size() + stages_.size());
     const int separator = stages_.empty() ? 0 : 2 * blockGap + 1;
-    return {content + 2 * padding, rows * wide.rowHeight + separator + 2 * padding};
+    return {content + 2 * padding, rows * wide.rowHeight + titleGap + separator + 2 * padding};
 }
 
 void StatisticsOverlay::paintEvent(QPaintEvent*) {
@@ -135,7 +138,7 @@ void StatisticsOverlay::paintEvent(QPaintEvent*) {
     painter.setPen(valueColor);
     painter.drawText(QRect(padding, top, right - padding, wide.rowHeight), Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(title_, Qt::ElideRight, right - padding));
-    top += wide.rowHeight;
+    top += wide.rowHeight + titleGap;
 
     const QFont figures = figureFont();
     const auto paintRow = [&](const Row& row) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace prizma::bench {
 namespace {
@@ -19,40 +20,64 @@ struct RaySet {
     bool anyHit() const { return mode == RayQueryMode::Any; }
 };
 
-bool endsElsewhere(float ours, float theirs, bool anyHit) {
-    if (std::isinf(ours) || std::isinf(theirs) || anyHit)
-        return std::isinf(ours) != std::isinf(theirs);
-    return !(std::abs(ours - theirs) <= 1e-4f * std::abs(theirs));
+/// Whether two hits of a ray are at different places. On one and the same triangle they are not: what is left
+/// there is rounding, which is large beside the distance of a near hit under a grazing angle.
+bool endsElsewhere(const DeviceHit& ours, const DeviceHit& theirs, bool anyHit) {
+    if (std::isinf(ours.t) || std::isinf(theirs.t) || anyHit)
+        return std::isinf(ours.t) != std::isinf(theirs.t);
+    if (ours.instance == theirs.instance && ours.primitive == theirs.primitive)
+        return false;
+    return !(std::abs(ours.t - theirs.t) <= 1e-4f * std::abs(theirs.t));
 }
 
-/// How the reference sees a ray, in the form of a device hit's `t`.
-float referenceEnd(const reference::Tracer& tracer, const reference::Ray& ray, bool anyHit) {
-    constexpr float infinity = std::numeric_limits<float>::infinity();
-    if (anyHit)
-        return tracer.occluded(ray) ? 0.0f : infinity;
-    const auto hit = tracer.closestHit(ray);
-    return hit ? static_cast<float>(hit->t) : infinity;
-}
-
-/// True if the reference contradicts a hit even when the ray is moved by what single precision may lose: a
-/// ray that passes an edge that closely can go either way.
-bool isClearlyWrong(const reference::Tracer& tracer, const DeviceRay& deviceRay, const glm::dvec3& origin,
-                    float ours, bool anyHit) {
-    const reference::Ray ray = referenceRay(deviceRay, origin);
-    double size = 0.0;
-    for (int axis = 0; axis < 3; ++axis)
-        size = std::max({size, std::abs(ray.origin[axis] - origin[axis]), std::abs(ray.direction[axis])});
-    constexpr double share = 4e-6;
-    for (int i = 0; i < 8; ++i) {
-        const glm::dvec3 corner{(i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0,
-                                (i & 4) != 0 ? 1.0 : -1.0};
-        reference::Ray moved = ray;
-        moved.origin += corner * (share * size);
-        if (!endsElsewhere(ours, referenceEnd(tracer, moved, anyHit), anyHit))
-            return false;
+/// The reference tracer, answering as the kernels do.
+class Judge {
+public:
+    Judge(const Scene& scene, const reference::Tracer& tracer, const glm::dvec3& origin)
+        : tracer_(tracer), origin_(origin) {
+        std::uint32_t instances = 0;
+        for (const Object& object : scene.objects)
+            instanceOf_.push_back(object.visible && object.mesh ? instances++ : PRIZMA_NO_HIT);
     }
-    return endsElsewhere(ours, referenceEnd(tracer, ray, anyHit), anyHit);
-}
+
+    DeviceHit hit(const reference::Ray& ray, bool anyHit) const {
+        DeviceHit none{std::numeric_limits<float>::infinity(), 0.0f, 0.0f, PRIZMA_NO_HIT, PRIZMA_NO_HIT};
+        if (anyHit) {
+            none.t = tracer_.occluded(ray) ? 0.0f : none.t;
+            return none;
+        }
+        const auto found = tracer_.closestHit(ray);
+        if (!found)
+            return none;
+        return {static_cast<float>(found->t), static_cast<float>(found->u), static_cast<float>(found->v),
+                instanceOf_[found->object], found->primitive};
+    }
+
+    /// True if the reference contradicts a hit even when the ray is moved by what single precision may lose:
+    /// a ray that passes an edge that closely can go either way.
+    bool refutes(const DeviceHit& hit, const DeviceRay& deviceRay, bool anyHit) const {
+        const reference::Ray ray = referenceRay(deviceRay, origin_);
+        double size = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+            size =
+                std::max({size, std::abs(ray.origin[axis] - origin_[axis]), std::abs(ray.direction[axis])});
+        constexpr double share = 4e-6;
+        for (int i = 0; i < 8; ++i) {
+            const glm::dvec3 corner{(i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0,
+                                    (i & 4) != 0 ? 1.0 : -1.0};
+            reference::Ray moved = ray;
+            moved.origin += corner * (share * size);
+            if (!endsElsewhere(hit, this->hit(moved, anyHit), anyHit))
+                return false;
+        }
+        return endsElsewhere(hit, this->hit(ray, anyHit), anyHit);
+    }
+
+private:
+    const reference::Tracer& tracer_;
+    glm::dvec3 origin_;
+    std::vector<std::uint32_t> instanceOf_; ///< By object.
+};
 
 class TraceBench {
 public:
@@ -61,6 +86,7 @@ public:
           query_(std::move(query)),
           origin_(query_.origin()),
           tracer_(scene),
+          judge_(scene, tracer_, origin_),
           fast_(EmbreePeer::create(scene, origin_, false)),
           robust_(EmbreePeer::create(scene, origin_, true)) {
         sets_ = makeRaySets(scene, tracer_, origin_, options.width, options.height);
@@ -76,6 +102,7 @@ private:
     RayQuery query_;
     glm::dvec3 origin_;
     reference::Tracer tracer_;
+    Judge judge_;
     std::unique_ptr<EmbreePeer> fast_;
     std::unique_ptr<EmbreePeer> robust_;
     RaySets sets_;
@@ -88,14 +115,13 @@ Result<void> TraceBench::compare(const RaySet& set, TraceResult& result) {
     if (robust_)
         robust_->trace(set.rays, {set.anyHit(), false, false});
     for (std::size_t i = 0; i < set.rays.size(); ++i) {
-        const float t = (*ours)[i].t;
-        const float theirs = robust_
-                                 ? robust_->hits()[i].t
-                                 : referenceEnd(tracer_, referenceRay(set.rays[i], origin_), set.anyHit());
-        if (!endsElsewhere(t, theirs, set.anyHit()))
+        const DeviceHit& hit = (*ours)[i];
+        const DeviceHit theirs =
+            robust_ ? robust_->hits()[i] : judge_.hit(referenceRay(set.rays[i], origin_), set.anyHit());
+        if (!endsElsewhere(hit, theirs, set.anyHit()))
             continue;
         ++result.mismatches;
-        result.wrong += isClearlyWrong(tracer_, set.rays[i], origin_, t, set.anyHit()) ? 1 : 0;
+        result.wrong += judge_.refutes(hit, set.rays[i], set.anyHit()) ? 1 : 0;
     }
     return {};
 }

@@ -30,7 +30,7 @@ struct TraceResult {
     std::size_t rayCount = 0;
     double mraysPerSecond = 0.0;
     /// Rays that end elsewhere than in Embree's robust mode (without Embree: than in the reference tracer):
-    /// hit or miss, or a distance that differs by more than a share of 1e-4.
+    /// hit or miss, or another triangle at a distance that differs by more than a share of 1e-4.
     std::size_t mismatches = 0;
     /// Of these, the ones where the reference tracer clearly contradicts the kernel.
     std::size_t wrong = 0;

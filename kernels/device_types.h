@@ -135,6 +135,42 @@ typedef struct {
     float padding;
 } DeviceLight;
 
+// What one pass looks at: the camera relative to the anchor, the picture, and which of its pixels this launch does.
+typedef struct {
+    float origin[3];
+    float forward[3];   // unit
+    float right[3];     // from the picture's middle to its right edge, at distance 1
+    float up[3];        // from the middle to the upper edge
+    float jitter[2];    // place inside the pixel, [0, 1)
+    DeviceInt width;
+    DeviceInt height;
+    DeviceUint firstPixel; // of this launch; pixels are numbered as pixel_order.clh says
+    DeviceUint pixelCount; // of this launch
+    DeviceUint sample;     // how many samples the pixels hold already
+} DeviceView;
+
+// What RayShader needs to know beside the scene.
+typedef struct {
+    float background[3]; // radiance, or the factor of the image
+    float ambient[3];    // the background's mean radiance
+    DeviceUint backgroundTexture;
+    DeviceInt maxDepth;
+    float sceneRadius; // for the depth view
+} DeviceShading;
+
+// A bone's influence on a vertex.
+typedef struct {
+    DeviceUint bone;
+    float weight;
+} DeviceInfluence;
+
+// A node to refit: relative to nodeBase, with leaves relative to leafBase.
+typedef struct {
+    DeviceUint node;
+    DeviceUint nodeBase;
+    DeviceUint leafBase;
+} DeviceRefitEntry;
+
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(WideNode) == 224);
 static_assert(sizeof(WideLeaf) == 320);
@@ -147,6 +183,10 @@ static_assert(sizeof(DeviceTriangle) == 16);
 static_assert(sizeof(DeviceMaterial) == 64);
 static_assert(sizeof(DeviceTexture) == 16);
 static_assert(sizeof(DeviceLight) == 80);
+static_assert(sizeof(DeviceView) == 76);
+static_assert(sizeof(DeviceShading) == 36);
+static_assert(sizeof(DeviceInfluence) == 8);
+static_assert(sizeof(DeviceRefitEntry) == 12);
 } // namespace prizma
 #endif
 

@@ -15,8 +15,8 @@ enum class TreeLayout {
     Binary2, ///< For GPU devices: 64-byte nodes that hold both children's boxes.
 };
 
-/// A tree as the device wants it. Indices inside are relative to its own first node and leaf, so that it can be
-/// placed anywhere in a larger buffer. Only the arrays of one layout are filled.
+/// A tree as the device wants it. Indices inside are relative to its own first node and leaf, so that it can
+/// be placed anywhere in a larger buffer. Only the arrays of one layout are filled.
 struct DeviceTree {
     TreeLayout layout = TreeLayout::Wide8;
     std::vector<WideNode> wideNodes; ///< [0] is the root.

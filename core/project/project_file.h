@@ -23,7 +23,8 @@ struct Project {
 /// Errors name file and line: not JSON, a newer version, values of a wrong type.
 Result<Project> loadProject(const std::string& file, Progress& progress);
 
-/// Writes atomically (to a temporary file that then replaces the old one); paths are stored relative to the file.
+/// Writes atomically (to a temporary file that then replaces the old one); paths are stored relative to the
+/// file.
 Result<void> saveProject(const std::string& file, const Scene& scene, const UnknownKeysPtr& unknownKeys = {});
 
 } // namespace prizma

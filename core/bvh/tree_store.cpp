@@ -1,0 +1,90 @@
+#include "core/bvh/tree_store.h"
+
+#include <algorithm>
+#include <set>
+
+namespace prizma {
+
+DeviceTreePtr buildTree(const Mesh& mesh, TreeLayout layout, Progress& progress) {
+    const auto bvh = buildBvh(triangleBounds(mesh), {}, progress);
+    if (!bvh)
+        return nullptr;
+    return std::make_shared<const DeviceTree>(layOutBottomLevel(*bvh, mesh, layout));
+}
+
+TreeStore::TreeStore(TreeLayout layout, std::function<void()> treeReady)
+    : layout_(layout),
+      treeReady_(std::move(treeReady)),
+      builder_([this](const std::stop_token& stop) { buildLoop(stop); }) {}
+
+TreeStore::~TreeStore() {
+    keepOnly({});
+    builder_.request_stop();
+    changed_.notify_all();
+}
+
+DeviceTreePtr TreeStore::request(const MeshPtr& mesh) {
+    const std::lock_guard lock(mutex_);
+    auto& entry = entries_[mesh.get()];
+    if (!entry) {
+        entry = std::make_shared<Entry>();
+        entry->mesh = mesh;
+        changed_.notify_all();
+    }
+    return entry->tree;
+}
+
+DeviceTreePtr TreeStore::wait(const MeshPtr& mesh) {
+    request(mesh);
+    std::unique_lock lock(mutex_);
+    const auto entry = entries_.at(mesh.get());
+    changed_.wait(lock, [&] { return entry->tree || entry->progress->isCancelled(); });
+    return entry->tree;
+}
+
+void TreeStore::keepOnly(const std::vector<MeshPtr>& meshes) {
+    std::set<const Mesh*> kept;
+    for (const MeshPtr& mesh : meshes)
+        kept.insert(mesh.get());
+    const std::lock_guard lock(mutex_);
+    std::erase_if(entries_, [&](const auto& item) {
+        if (kept.contains(item.first))
+            return false;
+        item.second->progress->cancel();
+        return true;
+    });
+    changed_.notify_all();
+}
+
+bool TreeStore::isBuilding() const {
+    const std::lock_guard lock(mutex_);
+    return std::any_of(entries_.begin(), entries_.end(), [](const auto& item) { return !item.second->tree; });
+}
+
+std::shared_ptr<TreeStore::Entry> TreeStore::nextEntry() {
+    for (const auto& [mesh, entry] : entries_)
+        if (!entry->tree)
+            return entry;
+    return nullptr;
+}
+
+void TreeStore::buildLoop(const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+        std::shared_ptr<Entry> entry;
+        {
+            std::unique_lock lock(mutex_);
+            if (!changed_.wait(lock, stop, [&] { return (entry = nextEntry()) != nullptr; }))
+                return;
+        }
+        DeviceTreePtr tree = buildTree(*entry->mesh, layout_, *entry->progress);
+        {
+            const std::lock_guard lock(mutex_);
+            entry->tree = std::move(tree);
+        }
+        changed_.notify_all();
+        if (treeReady_)
+            treeReady_();
+    }
+}
+
+} // namespace prizma

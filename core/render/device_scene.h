@@ -1,0 +1,53 @@
+#pragma once
+
+#include "core/bvh/tree_store.h"
+#include "core/render/geometry_store.h"
+#include "core/render/instance_store.h"
+#include "core/render/kernel_set.h"
+#include "core/render/material_store.h"
+#include "core/render/render_plan.h"
+
+namespace prizma {
+
+/// A scene on a device: geometry, materials, lights, instances. The part of a plan up to the top level.
+class DeviceScene {
+  public:
+    DeviceScene(Context& context, KernelSet& kernels, TreeLayout layout)
+        : context_(context), kernels_(kernels), geometry_(layout), instances_(layout) {}
+
+    /// Runs one stage of `plan` for `scene`. All trees that Geometry needs are in `trees`, ready.
+    Result<void> run(const PlannedStage& stage, const Scene& scene, const glm::dvec3& anchor, TreeStore& trees,
+                     DeviceState& state);
+
+    /// Releases the geometry of all other objects.
+    void removeAllBut(const std::set<Id>& objects);
+
+    /// Makes every buffer exist, so that kernels can be launched even for an empty scene.
+    Result<void> ensure();
+
+    /// Sets the kernel's first fifteen arguments: SCENE_PARAMETERS of kernels/scene.clh.
+    void setSceneArguments(Kernel& kernel) const;
+
+    const InstanceStore& instances() const { return instances_; }
+    const MaterialStore& materials() const { return materials_; }
+
+  private:
+    Result<void> uploadGeometry(const PlannedStage& stage, const Scene& scene, TreeStore& trees, DeviceState& state);
+    Result<void> pose(const PlannedStage& stage, const Scene& scene, DeviceState& state);
+    Result<void> shadeVertices(const PlannedStage& stage);
+    Result<void> shadeTriangles(const PlannedStage& stage);
+    Result<void> refit(const PlannedStage& stage);
+    Result<void> readRootBounds(const PlannedStage& stage);
+
+    Context& context_;
+    KernelSet& kernels_;
+    GeometryStore geometry_;
+    MaterialStore materials_;
+    InstanceStore instances_;
+    std::map<Id, Buffer<float>> bones_; ///< Skinning matrices of the posed objects, 3x4 row by row.
+    Buffer<DeviceRefitEntry> refitEntries_;
+    Buffer<std::uint32_t> roots_;
+    Buffer<float> rootBounds_;
+};
+
+} // namespace prizma

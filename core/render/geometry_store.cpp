@@ -1,0 +1,218 @@
+#include "core/render/geometry_store.h"
+
+#include "core/render/render_plan.h"
+
+namespace prizma {
+namespace {
+
+std::vector<DeviceTriangle> deviceTriangles(const Mesh& mesh) {
+    std::vector<DeviceTriangle> triangles(mesh.triangles.size());
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        triangles[i] = {mesh.triangles[i].x, mesh.triangles[i].y, mesh.triangles[i].z, mesh.triangleSlots[i]};
+    return triangles;
+}
+
+std::vector<DeviceInfluence> deviceInfluences(const Mesh& mesh) {
+    std::vector<DeviceInfluence> influences;
+    influences.reserve(mesh.influences.size());
+    for (const BoneInfluence& influence : mesh.influences)
+        influences.push_back({influence.bone, influence.weight});
+    return influences;
+}
+
+std::span<const float> floats(const std::vector<glm::vec3>& list) {
+    return {reinterpret_cast<const float*>(list.data()), list.size() * 3};
+}
+
+/// Runs allocations one after the other until one fails.
+class Steps {
+  public:
+    void run(std::uint32_t& place, auto&& allocate) {
+        if (!ok_)
+            return;
+        const Result<std::uint32_t> allocated = allocate();
+        if (allocated)
+            place = *allocated;
+        else
+            ok_ = std::unexpected(allocated.error());
+    }
+    Result<void> result() const { return ok_; }
+
+  private:
+    Result<void> ok_;
+};
+
+} // namespace
+
+Result<std::uint32_t> GeometryStore::addVertices(Context& context, const Mesh& mesh) {
+    const std::size_t count = mesh.positions.size();
+    std::uint32_t first = 0;
+    std::uint32_t ignored = 0;
+    // The three arenas see the same sequence of requests in vertices, so their places stay in step.
+    std::vector<float> texCoords(2 * count, 0.0f);
+    for (std::size_t i = 0; i < mesh.texCoords.size(); ++i) {
+        texCoords[2 * i] = mesh.texCoords[i].x;
+        texCoords[2 * i + 1] = mesh.texCoords[i].y;
+    }
+    Steps steps;
+    steps.run(first, [&] { return positions_.add(context, floats(mesh.positions)); });
+    steps.run(ignored, [&] { return normals_.add(context, floats(mesh.normals)); });
+    steps.run(ignored, [&] { return texCoords_.add(context, texCoords); });
+    if (auto ok = steps.result(); !ok)
+        return std::unexpected(ok.error());
+    return first / 3;
+}
+
+Result<std::uint32_t> GeometryStore::addNodes(Context& context, const DeviceTree& tree) {
+    return layout_ == TreeLayout::Wide8 ? wideNodes_.add(context, tree.wideNodes)
+                                        : binaryNodes_.add(context, tree.binaryNodes);
+}
+
+Result<std::uint32_t> GeometryStore::addLeaves(Context& context, const DeviceTree& tree) {
+    return layout_ == TreeLayout::Wide8 ? wideLeaves_.add(context, tree.wideLeaves)
+                                        : binaryTriangles_.add(context, tree.binaryTriangles);
+}
+
+Result<void> GeometryStore::uploadMesh(Context& context, MeshPlace& place) {
+    const Mesh& mesh = *place.mesh;
+    Steps steps;
+    steps.run(place.vertexBase, [&] { return addVertices(context, mesh); });
+    steps.run(place.triangleBase, [&] { return triangles_.add(context, deviceTriangles(mesh)); });
+    steps.run(place.nodeBase, [&] { return addNodes(context, *place.tree); });
+    steps.run(place.leafBase, [&] { return addLeaves(context, *place.tree); });
+    if (mesh.isSkinned()) {
+        steps.run(place.firstInfluenceBase, [&] { return firstInfluences_.add(context, mesh.firstInfluence); });
+        steps.run(place.influenceBase, [&] { return influences_.add(context, deviceInfluences(mesh)); });
+    }
+    return steps.result();
+}
+
+Result<MeshPlace*> GeometryStore::addMesh(Context& context, const MeshPtr& mesh, const DeviceTreePtr& tree) {
+    if (const auto found = meshes_.find(mesh.get()); found != meshes_.end())
+        return &found->second;
+    MeshPlace place;
+    place.mesh = mesh;
+    place.tree = tree;
+    if (auto ok = uploadMesh(context, place); !ok)
+        return std::unexpected(ok.error());
+    return &meshes_.emplace(mesh.get(), std::move(place)).first->second;
+}
+
+Result<void> GeometryStore::addPosed(Context& context, Id object, const MeshPlace& place) {
+    PosedPlace posed;
+    posed.bounds = place.mesh->bounds;
+    Steps steps;
+    steps.run(posed.vertexBase, [&] { return addVertices(context, *place.mesh); });
+    steps.run(posed.nodeBase, [&] { return addNodes(context, *place.tree); });
+    steps.run(posed.leafBase, [&] { return addLeaves(context, *place.tree); });
+    if (auto ok = steps.result(); !ok)
+        return ok;
+    posed_.insert_or_assign(object, posed);
+    return {};
+}
+
+Result<void> GeometryStore::add(Context& context, const Object& object, const DeviceTreePtr& tree) {
+    const auto old = objects_.find(object.id);
+    if (old != objects_.end() && old->second->mesh == object.mesh && isPosed(object) == posed_.contains(object.id))
+        return {};
+    remove(object.id);
+    const auto place = addMesh(context, object.mesh, tree);
+    if (!place)
+        return std::unexpected(place.error());
+    ++(*place)->users;
+    objects_[object.id] = *place;
+    return isPosed(object) ? addPosed(context, object.id, **place) : Result<void>{};
+}
+
+void GeometryStore::remove(Id object) {
+    const auto found = objects_.find(object);
+    if (found == objects_.end())
+        return;
+    MeshPlace& place = *found->second;
+    if (const auto posed = posed_.find(object); posed != posed_.end()) {
+        releasePosed(posed->second, place);
+        posed_.erase(posed);
+    }
+    objects_.erase(found);
+    if (--place.users == 0) {
+        releaseMesh(place);
+        meshes_.erase(place.mesh.get());
+    }
+}
+
+void GeometryStore::removeAllBut(const std::set<Id>& objects) {
+    std::vector<Id> gone;
+    for (const auto& [id, place] : objects_)
+        if (!objects.contains(id))
+            gone.push_back(id);
+    for (const Id id : gone)
+        remove(id);
+}
+
+void GeometryStore::releasePosed(const PosedPlace& posed, const MeshPlace& place) {
+    const std::size_t vertices = place.mesh->positions.size();
+    positions_.release(3 * posed.vertexBase, 3 * vertices);
+    normals_.release(3 * posed.vertexBase, 3 * vertices);
+    texCoords_.release(2 * posed.vertexBase, 2 * vertices);
+    if (layout_ == TreeLayout::Wide8) {
+        wideNodes_.release(posed.nodeBase, place.tree->wideNodes.size());
+        wideLeaves_.release(posed.leafBase, place.tree->wideLeaves.size());
+    } else {
+        binaryNodes_.release(posed.nodeBase, place.tree->binaryNodes.size());
+        binaryTriangles_.release(posed.leafBase, place.tree->binaryTriangles.size());
+    }
+}
+
+void GeometryStore::releaseMesh(const MeshPlace& place) {
+    releasePosed({place.vertexBase, place.nodeBase, place.leafBase, {}}, place);
+    triangles_.release(place.triangleBase, place.mesh->triangles.size());
+    if (place.mesh->isSkinned()) {
+        firstInfluences_.release(place.firstInfluenceBase, place.mesh->firstInfluence.size());
+        influences_.release(place.influenceBase, place.mesh->influences.size());
+    }
+}
+
+ObjectPlace GeometryStore::placeOf(Id object) const {
+    const auto found = objects_.find(object);
+    if (found == objects_.end())
+        return {};
+    const auto posed = posed_.find(object);
+    return {found->second, posed == posed_.end() ? nullptr : &posed->second};
+}
+
+PosedPlace* GeometryStore::posedPlaceOf(Id object) {
+    const auto posed = posed_.find(object);
+    return posed == posed_.end() ? nullptr : &posed->second;
+}
+
+Result<void> GeometryStore::ensure(Context& context) {
+    Result<void> ok;
+    const auto ensureOne = [&](auto& arena) {
+        if (ok)
+            ok = arena.ensure(context);
+    };
+    ensureOne(positions_);
+    ensureOne(normals_);
+    ensureOne(texCoords_);
+    ensureOne(triangles_);
+    ensureOne(firstInfluences_);
+    ensureOne(influences_);
+    if (layout_ == TreeLayout::Wide8) {
+        ensureOne(wideNodes_);
+        ensureOne(wideLeaves_);
+    } else {
+        ensureOne(binaryNodes_);
+        ensureOne(binaryTriangles_);
+    }
+    return ok;
+}
+
+cl_mem GeometryStore::nodes() const {
+    return layout_ == TreeLayout::Wide8 ? wideNodes_.buffer().get() : binaryNodes_.buffer().get();
+}
+
+cl_mem GeometryStore::leaves() const {
+    return layout_ == TreeLayout::Wide8 ? wideLeaves_.buffer().get() : binaryTriangles_.buffer().get();
+}
+
+} // namespace prizma

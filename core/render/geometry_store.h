@@ -1,0 +1,88 @@
+#pragma once
+
+#include "core/bvh/tree_store.h"
+#include "core/compute/arena.h"
+#include "core/scene/object.h"
+
+#include <map>
+#include <set>
+
+namespace prizma {
+
+/// Where a mesh lies in the device's buffers.
+struct MeshPlace {
+    MeshPtr mesh;
+    DeviceTreePtr tree;
+    std::uint32_t vertexBase = 0, triangleBase = 0, nodeBase = 0, leafBase = 0;
+    std::uint32_t firstInfluenceBase = 0, influenceBase = 0;
+    int users = 0;
+};
+
+/// A Dynamic object's own copy of what moves: posed vertices, leaves and nodes.
+struct PosedPlace {
+    std::uint32_t vertexBase = 0, nodeBase = 0, leafBase = 0;
+    Bounds bounds; ///< Object space, of the pose it is in.
+};
+
+/// What an instance refers to.
+struct ObjectPlace {
+    const MeshPlace* mesh = nullptr;
+    const PosedPlace* posed = nullptr; ///< Null unless the object is posed on the device.
+};
+
+/// All meshes and bottom-level trees on the device. Objects with the same mesh share it; a posed object has a copy of
+/// what moves, beside the shared bind pose.
+class GeometryStore {
+  public:
+    explicit GeometryStore(TreeLayout layout) : layout_(layout) {}
+
+    /// Puts an object's geometry on the device, replacing what it had. `tree` belongs to the object's mesh.
+    Result<void> add(Context& context, const Object& object, const DeviceTreePtr& tree);
+    void remove(Id object);
+    void removeAllBut(const std::set<Id>& objects);
+
+    ObjectPlace placeOf(Id object) const;
+    PosedPlace* posedPlaceOf(Id object);
+
+    /// Buffers exist even without geometry, so that kernels can be given them.
+    Result<void> ensure(Context& context);
+
+    const Buffer<float>& positions() const { return positions_.buffer(); } ///< Three floats a vertex.
+    const Buffer<float>& normals() const { return normals_.buffer(); }
+    const Buffer<float>& texCoords() const { return texCoords_.buffer(); } ///< Two floats a vertex.
+    const Buffer<DeviceTriangle>& triangles() const { return triangles_.buffer(); }
+    const Buffer<std::uint32_t>& firstInfluences() const { return firstInfluences_.buffer(); }
+    const Buffer<DeviceInfluence>& influences() const { return influences_.buffer(); }
+    cl_mem nodes() const;
+    cl_mem leaves() const;
+
+  private:
+    Result<MeshPlace*> addMesh(Context& context, const MeshPtr& mesh, const DeviceTreePtr& tree);
+    Result<void> uploadMesh(Context& context, MeshPlace& place);
+    Result<void> addPosed(Context& context, Id object, const MeshPlace& place);
+    void releaseMesh(const MeshPlace& place);
+    void releasePosed(const PosedPlace& posed, const MeshPlace& place);
+
+    /// Vertices in step: positions, normals and texture coordinates of a vertex have the same number.
+    Result<std::uint32_t> addVertices(Context& context, const Mesh& mesh);
+    Result<std::uint32_t> addNodes(Context& context, const DeviceTree& tree);
+    Result<std::uint32_t> addLeaves(Context& context, const DeviceTree& tree);
+
+    const TreeLayout layout_;
+    Arena<float> positions_{"vertices"};
+    Arena<float> normals_{"normals"};
+    Arena<float> texCoords_{"texture coordinates"};
+    Arena<DeviceTriangle> triangles_{"triangles"};
+    Arena<std::uint32_t> firstInfluences_{"bone weights"};
+    Arena<DeviceInfluence> influences_{"bone weights"};
+    Arena<WideNode> wideNodes_{"tree"};
+    Arena<WideLeaf> wideLeaves_{"tree's leaves"};
+    Arena<BinaryNode> binaryNodes_{"tree"};
+    Arena<BinaryTriangle> binaryTriangles_{"tree's leaves"};
+
+    std::map<const Mesh*, MeshPlace> meshes_;
+    std::map<Id, MeshPlace*> objects_;
+    std::map<Id, PosedPlace> posed_;
+};
+
+} // namespace prizma

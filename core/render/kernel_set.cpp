@@ -1,0 +1,65 @@
+#include "core/render/kernel_set.h"
+
+#include "core/compute/program.h"
+
+namespace prizma {
+
+TreeLayout layoutFor(DeviceType type) { return type == DeviceType::Gpu ? TreeLayout::Binary2 : TreeLayout::Wide8; }
+
+Result<void> KernelSet::load(Context& context, const std::string& file,
+                             std::initializer_list<std::pair<Kernel*, const char*>> kernels) {
+    if (building_)
+        building_();
+    const auto program = buildProgram(context, file, options_);
+    if (!program)
+        return std::unexpected(program.error());
+    for (const auto& [kernel, name] : kernels) {
+        auto made = Kernel::create(*program, name);
+        if (!made)
+            return std::unexpected(made.error());
+        *kernel = std::move(*made);
+    }
+    return {};
+}
+
+Result<KernelSet> KernelSet::create(Context& context, TreeLayout layout, std::function<void()> building) {
+    KernelSet set;
+    set.building_ = std::move(building);
+    set.options_ = layout == TreeLayout::Wide8 ? "-D PRIZMA_WIDE8" : "-D PRIZMA_BINARY2";
+    set.raysAPacket = layout == TreeLayout::Wide8 ? 16 : 1;
+    set.groupSize = std::min<std::size_t>(set.groupSize, context.info().maxWorkGroupSize);
+    Result<void> ok;
+    const auto load = [&](const char* file, std::initializer_list<std::pair<Kernel*, const char*>> kernels) {
+        if (ok)
+            ok = set.load(context, file, kernels);
+    };
+    load("vertex_shader.cl", {{&set.vertexShader, "vertexShader"}});
+    load("triangle_shader.cl", {{&set.triangleShader, "triangleShader"}});
+    load("refit_tree_shader.cl",
+         {{&set.refitTreeShader, "refitTreeShader"}, {&set.gatherRootBounds, "gatherRootBounds"}});
+    load("generate_camera_rays.cl", {{&set.generateCameraRays, "generateCameraRays"}});
+    load("trace.cl", {{&set.traceClosest, "traceClosest"},
+                      {&set.traceAny, "traceAny"},
+                      {&set.tracePacket, "tracePacket"}});
+    load("display.cl", {{&set.toneMap, "toneMap"}, {&set.meanRadiance, "meanRadiance"}});
+    if (!ok)
+        return std::unexpected(ok.error());
+    return set;
+}
+
+Result<Kernel*> KernelSet::rayShader(Context& context, ShaderType type) {
+    if (const auto found = rayShaders_.find(type); found != rayShaders_.end())
+        return &found->second;
+    if (building_)
+        building_();
+    const auto program = buildProgram(context, "ray_shader.cl",
+                                      options_ + " -D PRIZMA_VIEW=" + std::to_string(static_cast<int>(type)));
+    if (!program)
+        return std::unexpected(program.error());
+    auto kernel = Kernel::create(*program, "rayShader");
+    if (!kernel)
+        return std::unexpected(kernel.error());
+    return &(rayShaders_[type] = std::move(*kernel));
+}
+
+} // namespace prizma

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "core/bvh/device_layout.h"
+#include "core/compute/kernel.h"
+#include "core/scene/scene.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <string>
+
+namespace prizma {
+
+/// All kernels for one device and tree layout. RayShader is built when a shader is first used.
+class KernelSet {
+  public:
+    /// `building` is told before something is compiled that may take seconds.
+    static Result<KernelSet> create(Context& context, TreeLayout layout, std::function<void()> building = {});
+
+    Kernel vertexShader, triangleShader, refitTreeShader, gatherRootBounds;
+    Kernel generateCameraRays, traceClosest, traceAny, tracePacket;
+    Kernel toneMap, meanRadiance;
+
+    /// The RayShader kernel for `type`, built on first use.
+    Result<Kernel*> rayShader(Context& context, ShaderType type);
+
+    std::size_t groupSize = 64;  ///< Work items a group for kernels that run once a pixel or ray.
+    std::size_t raysAPacket = 16; ///< Rays a work item of tracePacket; GPUs make packets of threads instead.
+
+    /// Work items a group for tracePacket.
+    std::size_t packetGroupSize() const { return std::max<std::size_t>(groupSize / raysAPacket, 1); }
+
+  private:
+    Result<void> load(Context& context, const std::string& file,
+                      std::initializer_list<std::pair<Kernel*, const char*>> kernels);
+
+    std::string options_;
+    std::function<void()> building_;
+    std::map<ShaderType, Kernel> rayShaders_;
+};
+
+/// The layout that suits a kind of device.
+TreeLayout layoutFor(DeviceType type);
+
+} // namespace prizma

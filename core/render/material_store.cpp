@@ -1,0 +1,211 @@
+#include "core/render/material_store.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <bit>
+#include <cmath>
+#include <set>
+
+namespace prizma {
+namespace {
+
+constexpr std::size_t srgbTableSize = 256;
+
+float decodeSrgb(float encoded) {
+    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+}
+
+void store(float (&target)[3], const glm::dvec3& value) {
+    for (int i = 0; i < 3; ++i)
+        target[i] = static_cast<float>(value[i]);
+}
+
+ImagePtr makeCheckerboard() {
+    auto image = std::make_shared<Image>();
+    image->width = image->height = 16;
+    for (int i = 0; i < 256; ++i) {
+        const bool bright = ((i / 16 / 2) + (i % 16 / 2)) % 2 == 0;
+        const std::uint8_t level = bright ? 255 : 40;
+        image->bytes.insert(image->bytes.end(), {level, 0, level, 255});
+    }
+    return image;
+}
+
+std::size_t wordCount(const Image& image) { return image.bytes.empty() ? image.floats.size() : image.bytes.size() / 4; }
+
+std::vector<std::uint32_t> wordsOf(const Image& image) {
+    std::vector<std::uint32_t> words(wordCount(image));
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (image.bytes.empty()) {
+            words[i] = std::bit_cast<std::uint32_t>(image.floats[i]);
+        } else {
+            const std::uint8_t* p = &image.bytes[4 * i];
+            words[i] = p[0] | static_cast<std::uint32_t>(p[1]) << 8 | static_cast<std::uint32_t>(p[2]) << 16 |
+                       static_cast<std::uint32_t>(p[3]) << 24;
+        }
+    }
+    return words;
+}
+
+/// Rows near the poles of an equirectangular picture stand for less of the sphere.
+glm::dvec3 meanOverSphere(const Image& image) {
+    glm::dvec3 sum(0.0);
+    double weights = 0.0;
+    for (int y = 0; y < image.height; ++y) {
+        const double weight = std::sin((y + 0.5) / image.height * 3.14159265358979323846);
+        for (int x = 0; x < image.width; ++x) {
+            const auto first = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                                    static_cast<std::size_t>(x));
+            for (int c = 0; c < 3; ++c) {
+                const auto i = first + static_cast<std::size_t>(c);
+                sum[c] += weight * (image.bytes.empty() ? image.floats[i]
+                                                        : decodeSrgb(static_cast<float>(image.bytes[i]) / 255.0f));
+            }
+            weights += weight;
+        }
+    }
+    return weights > 0.0 ? sum / weights : sum;
+}
+
+glm::dvec3 unitOrDown(const glm::dvec3& v) {
+    const double length = glm::length(v);
+    return std::isfinite(length) && length > 0.0 ? v / length : glm::dvec3(0.0, -1.0, 0.0);
+}
+
+double strengthOf(const Light& light) {
+    switch (light.type) {
+    case LightType::Point:
+    case LightType::Spot: return light.intensity;
+    case LightType::Directional: return light.irradiance;
+    case LightType::Rectangle:
+    case LightType::Sphere: return light.radiance;
+    }
+    return 0.0;
+}
+
+bool shines(const Light& light) {
+    const glm::dvec3 strength = light.color * strengthOf(light);
+    return light.enabled && (strength.x > 0.0 || strength.y > 0.0 || strength.z > 0.0);
+}
+
+DeviceLight deviceLight(const Light& light, const glm::dvec3& anchor) {
+    DeviceLight out{};
+    out.type = static_cast<std::uint32_t>(light.type);
+    store(out.position, light.position - anchor);
+    store(out.strength, light.color * strengthOf(light));
+    glm::dvec3 direction = unitOrDown(light.direction);
+    if (light.type == LightType::Rectangle) {
+        const glm::dquat rotation = glm::normalize(light.rotation);
+        direction = rotation * glm::dvec3(0.0, -1.0, 0.0);
+        store(out.halfU, rotation * glm::dvec3(light.size.x * 0.5, 0.0, 0.0));
+        store(out.halfV, rotation * glm::dvec3(0.0, 0.0, light.size.y * 0.5));
+    }
+    store(out.direction, direction);
+    const double outer = std::max(light.outerAngle, light.innerAngle);
+    out.cosInner = static_cast<float>(std::cos(glm::radians(light.innerAngle)));
+    out.cosOuter = static_cast<float>(std::cos(glm::radians(outer)));
+    out.radius = static_cast<float>(light.radius);
+    return out;
+}
+
+} // namespace
+
+Result<void> MaterialStore::uploadConstants(Context& context) {
+    if (checkerboard_)
+        return {};
+    std::vector<std::uint32_t> table(srgbTableSize);
+    for (std::size_t i = 0; i < table.size(); ++i)
+        table[i] = std::bit_cast<std::uint32_t>(decodeSrgb(static_cast<float>(i) / 255.0f));
+    if (const auto place = texels_.add(context, table); !place)
+        return std::unexpected(place.error());
+    checkerboard_ = makeCheckerboard();
+    return uploadPicture(context, checkerboard_);
+}
+
+Result<void> MaterialStore::uploadPicture(Context& context, const ImagePtr& image) {
+    if (pictures_.contains(image.get()))
+        return {};
+    const auto offset = texels_.add(context, wordsOf(*image));
+    if (!offset)
+        return std::unexpected(offset.error());
+    pictures_[image.get()] = {image, *offset, 0};
+    return {};
+}
+
+Result<void> MaterialStore::updateTextures(Context& context, const Scene& scene) {
+    if (auto ok = uploadConstants(context); !ok)
+        return ok;
+    std::set<ImagePtr> used{checkerboard_};
+    for (const Material& material : scene.materials) {
+        used.insert(material.baseColorTexture.image);
+        used.insert(material.normalTexture.image);
+    }
+    used.insert(scene.background.image.image);
+    used.erase(nullptr);
+    std::erase_if(pictures_, [&](const auto& entry) {
+        if (used.contains(entry.second.image))
+            return false;
+        texels_.release(entry.second.offset, wordCount(*entry.second.image));
+        return true;
+    });
+    for (const ImagePtr& image : used)
+        if (auto ok = uploadPicture(context, image); !ok)
+            return ok;
+    if (backgroundImage_ != scene.background.image.image) {
+        backgroundImage_ = scene.background.image.image;
+        backgroundImageMean_ = backgroundImage_ ? meanOverSphere(*backgroundImage_) : glm::dvec3(0.0);
+    }
+    std::vector<DeviceTexture> table;
+    for (auto& [image, picture] : pictures_) {
+        picture.index = static_cast<std::uint32_t>(table.size());
+        table.push_back({picture.offset, image->width, image->height, image->bytes.empty() ? 1u : 0u});
+    }
+    return textures_.assign(context, table, "textures");
+}
+
+Result<void> MaterialStore::updateMaterials(Context& context, const Scene& scene) {
+    indexOfMaterial_.clear();
+    std::vector<DeviceMaterial> table;
+    const auto append = [&](const Material& material) {
+        DeviceMaterial out{};
+        store(out.baseColor, material.baseColor);
+        out.alpha = static_cast<float>(material.alpha);
+        store(out.emission, material.emission * material.emissionStrength);
+        out.specular = static_cast<float>(material.specular);
+        out.metallic = static_cast<float>(material.metallic);
+        out.roughness = static_cast<float>(material.roughness);
+        out.transmission = static_cast<float>(material.transmission);
+        out.ior = static_cast<float>(material.ior);
+        out.baseColorTexture = indexOf(material.baseColorTexture);
+        out.normalTexture = material.normalTexture.image ? indexOf(material.normalTexture) : PRIZMA_NO_TEXTURE;
+        indexOfMaterial_[material.id] = static_cast<std::uint32_t>(table.size());
+        table.push_back(out);
+    };
+    append(Material{});
+    for (const Material& material : scene.materials)
+        append(material);
+    return materials_.assign(context, table, "materials");
+}
+
+Result<void> MaterialStore::updateLights(Context& context, const Scene& scene, const glm::dvec3& anchor) {
+    std::vector<DeviceLight> table;
+    for (const Light& light : scene.lights)
+        if (shines(light))
+            table.push_back(deviceLight(light, anchor));
+    lightCount_ = static_cast<std::uint32_t>(table.size());
+    return lights_.assign(context, table, "lights");
+}
+
+std::uint32_t MaterialStore::indexOf(Id material) const {
+    const auto found = indexOfMaterial_.find(material);
+    return found == indexOfMaterial_.end() ? 0 : found->second;
+}
+
+std::uint32_t MaterialStore::indexOf(const Texture& texture) const {
+    if (!texture.isSet())
+        return PRIZMA_NO_TEXTURE;
+    const auto found = pictures_.find(texture.image ? texture.image.get() : checkerboard_.get());
+    return found == pictures_.end() ? PRIZMA_NO_TEXTURE : found->second.index;
+}
+
+} // namespace prizma

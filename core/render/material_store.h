@@ -1,0 +1,61 @@
+#pragma once
+
+#include "core/compute/arena.h"
+#include "core/scene/scene.h"
+#include "kernels/device_types.h"
+
+#include <map>
+#include <unordered_map>
+
+namespace prizma {
+
+/// Materials, textures and lights on the device.
+class MaterialStore {
+  public:
+    /// Brings the pictures that materials and background use onto the device, each once, and drops the others.
+    Result<void> updateTextures(Context& context, const Scene& scene);
+
+    /// The material table; textures are up to date.
+    Result<void> updateMaterials(Context& context, const Scene& scene);
+
+    /// The lights that are on, relative to `anchor`.
+    Result<void> updateLights(Context& context, const Scene& scene, const glm::dvec3& anchor);
+
+    /// Place of a material in the table; 0, a neutral grey, for an id that is not there.
+    std::uint32_t indexOf(Id material) const;
+
+    /// Place of a texture in the table: PRIZMA_NO_TEXTURE for none, the checkerboard for one that is missing.
+    std::uint32_t indexOf(const Texture& texture) const;
+
+    /// Mean radiance of the background's image over all directions, without its intensity; 0 without an image.
+    const glm::dvec3& backgroundImageMean() const { return backgroundImageMean_; }
+
+    const Buffer<DeviceMaterial>& materials() const { return materials_; }
+    const Buffer<DeviceTexture>& textures() const { return textures_; }
+    const Buffer<std::uint32_t>& texels() const { return texels_.buffer(); }
+    const Buffer<DeviceLight>& lights() const { return lights_; }
+    std::uint32_t lightCount() const { return lightCount_; }
+
+  private:
+    struct Picture {
+        ImagePtr image;
+        std::uint32_t offset = 0;
+        std::uint32_t index = 0;
+    };
+
+    Result<void> uploadPicture(Context& context, const ImagePtr& image);
+    Result<void> uploadConstants(Context& context);
+
+    Buffer<DeviceMaterial> materials_;
+    Buffer<DeviceTexture> textures_;
+    Arena<std::uint32_t> texels_{"textures"};
+    Buffer<DeviceLight> lights_;
+    std::uint32_t lightCount_ = 0;
+    std::unordered_map<Id, std::uint32_t> indexOfMaterial_;
+    std::map<const Image*, Picture> pictures_;
+    glm::dvec3 backgroundImageMean_{0.0};
+    ImagePtr backgroundImage_; ///< The image that the mean is of.
+    ImagePtr checkerboard_; ///< Stands in for pictures that are missing.
+};
+
+} // namespace prizma

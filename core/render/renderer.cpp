@@ -1,0 +1,323 @@
+#include "core/render/renderer.h"
+
+#include "core/render/sampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prizma {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double chunkMilliseconds = 25.0; // a newer snapshot waits no longer than about this
+constexpr std::uint32_t firstChunk = 1u << 14;
+constexpr std::uint32_t tilePixels = 64;
+
+double since(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+void store(float (&target)[3], const glm::dvec3& value) {
+    for (int i = 0; i < 3; ++i)
+        target[i] = static_cast<float>(value[i]);
+}
+
+} // namespace
+
+Renderer::Renderer(std::unique_ptr<Context> context, TreeLayout layout, std::function<void()> treeReady)
+    : context_(std::move(context)),
+      trees_(layout, std::move(treeReady)) {}
+
+Renderer::~Renderer() = default;
+
+Result<std::unique_ptr<Renderer>> Renderer::create(RendererOptions options) {
+    auto context = Context::create(options.deviceId);
+    if (!context)
+        return std::unexpected(context.error());
+    const TreeLayout layout = options.layout.value_or(layoutFor((*context)->info().type));
+    auto kernels = KernelSet::create(**context, layout, std::move(options.building));
+    if (!kernels)
+        return std::unexpected(kernels.error());
+    std::unique_ptr<Renderer> made(new Renderer(std::move(*context), layout, std::move(options.treeReady)));
+    made->kernels_ = std::make_unique<KernelSet>(std::move(*kernels));
+    made->deviceScene_ = std::make_unique<DeviceScene>(*made->context_, *made->kernels_, layout);
+    return made;
+}
+
+Scene Renderer::drawable(Scene scene) {
+    std::vector<MeshPtr> wanted;
+    std::vector<std::size_t> waiting;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        if (!object.mesh)
+            continue;
+        wanted.push_back(object.mesh);
+        if (object.visible && !trees_.request(object.mesh))
+            waiting.push_back(i);
+    }
+    trees_.keepOnly(wanted);
+    for (const std::size_t i : waiting)
+        scene.objects.edit()[i].mesh = nullptr;
+    return scene;
+}
+
+void Renderer::waitForTrees(const Scene& scene) {
+    for (const Object& object : scene.objects)
+        if (isDrawn(object))
+            trees_.wait(object.mesh);
+}
+
+RenderPlan Renderer::plan(const Scene& scene, int width, int height) const {
+    return makePlan(state_, scene, width, height);
+}
+
+void Renderer::record(Stage stage, double milliseconds) {
+    const PlannedStage* planned = plan_.find(stage);
+    for (StageStatistics& entry : stageStatistics_)
+        if (entry.stage == describe(stage)) {
+            entry.milliseconds += milliseconds;
+            return;
+        }
+    stageStatistics_.push_back({describe(stage), planned ? planned->why : std::string(), milliseconds,
+                                planned ? static_cast<int>(planned->objects.size()) : 0});
+}
+
+Result<void> Renderer::update(const RenderPlan& plan, const Scene& scene) {
+    std::set<Id> present;
+    for (const Object& object : scene.objects)
+        if (object.mesh)
+            present.insert(object.id);
+    std::erase_if(state_.resident, [&](Id id) { return !present.contains(id); });
+    std::erase_if(state_.poses, [&](const auto& pose) { return !present.contains(pose.first); });
+    deviceScene_->removeAllBut(present);
+    for (const PlannedStage& stage : plan.stages) {
+        if (stage.stage >= Stage::GenerateCameraRays)
+            break;
+        const auto start = Clock::now();
+        if (auto ok = deviceScene_->run(stage, scene, plan.anchor, trees_, state_); !ok)
+            return ok;
+        if (auto ok = context_->finish(); !ok)
+            return ok;
+        record(stage.stage, since(start));
+    }
+    return deviceScene_->ensure();
+}
+
+Result<void> Renderer::begin(const RenderPlan& plan, const Scene& scene, int width, int height) {
+    began_ = Clock::now();
+    plan_ = plan;
+    stageStatistics_.clear();
+    const auto fail = [&](const Diagnostic& error) {
+        state_.scene.reset();
+        inPass_ = false;
+        return std::unexpected(error);
+    };
+    if (auto ok = update(plan, scene); !ok)
+        return fail(ok.error());
+    if (width != film_.width || height != film_.height)
+        if (auto ok = film_.resize(*context_, width, height); !ok)
+            return fail(ok.error());
+    state_.scene = scene;
+    state_.anchor = plan.anchor;
+    state_.width = width;
+    state_.height = height;
+    if (plan.restarts)
+        state_.samples = 0;
+    inPass_ = plan.find(Stage::RayShader) != nullptr;
+    if (!inPass_)
+        return {};
+    const auto shader = kernels_->rayShader(*context_, scene.render.shader);
+    if (!shader)
+        return fail(shader.error());
+    rayShader_ = *shader;
+    view_ = viewOf(scene, width, height);
+    shading_ = shadingOf(scene);
+    nextPixel_ = 0;
+    state_.dropped = true; // until the pass is complete
+    return {};
+}
+
+DeviceView Renderer::viewOf(const Scene& scene, int width, int height) const {
+    DeviceView view{};
+    const CameraFrame frame = frameOf(scene.camera);
+    const double halfHeight = std::tan(glm::radians(scene.camera.fovY) * 0.5);
+    const double aspect = static_cast<double>(width) / std::max(height, 1);
+    store(view.origin, scene.camera.position - state_.anchor);
+    store(view.forward, frame.forward);
+    store(view.right, frame.right * (halfHeight * aspect));
+    store(view.up, frame.up * halfHeight);
+    view.width = width;
+    view.height = height;
+    view.sample = static_cast<std::uint32_t>(state_.samples);
+    const glm::vec2 jitter = sobolPoint(view.sample);
+    view.jitter[0] = jitter.x;
+    view.jitter[1] = jitter.y;
+    return view;
+}
+
+DeviceShading Renderer::shadingOf(const Scene& scene) const {
+    DeviceShading shading{};
+    const Background& background = scene.background;
+    const bool hasImage = background.image.isSet();
+    store(shading.background, (hasImage ? glm::dvec3(1.0) : background.color) * background.intensity);
+    store(shading.ambient,
+          (hasImage ? deviceScene_->materials().backgroundImageMean() : background.color) * background.intensity);
+    shading.backgroundTexture = deviceScene_->materials().indexOf(background.image);
+    shading.maxDepth = scene.render.maxDepth;
+    shading.sceneRadius = static_cast<float>(deviceScene_->instances().radius());
+    return shading;
+}
+
+Result<void> Renderer::launchChunk(std::uint32_t count) {
+    view_.firstPixel = nextPixel_;
+    view_.pixelCount = count;
+    const std::size_t group = kernels_->groupSize;
+    const std::size_t packets = (count + kernels_->raysAPacket - 1) / kernels_->raysAPacket;
+    kernels_->generateCameraRays.setArguments(view_, film_.rays);
+    auto generated = kernels_->generateCameraRays.launch(*context_, count, group);
+    if (!generated)
+        return std::unexpected(generated.error());
+    Kernel& trace = kernels_->tracePacket;
+    deviceScene_->setSceneArguments(trace);
+    trace.addArgument(film_.rays);
+    trace.addArgument(film_.hits);
+    trace.addArgument(nextPixel_);
+    trace.addArgument(count);
+    auto traced = trace.launch(*context_, packets, kernels_->packetGroupSize());
+    if (!traced)
+        return std::unexpected(traced.error());
+    deviceScene_->setSceneArguments(*rayShader_);
+    rayShader_->addArgument(view_);
+    rayShader_->addArgument(shading_);
+    rayShader_->addArgument(film_.rays);
+    rayShader_->addArgument(film_.hits);
+    rayShader_->addArgument(film_.sums);
+    rayShader_->addArgument(film_.losses);
+    rayShader_->addArgument(film_.rayCounts);
+    auto shaded = rayShader_->launch(*context_, count, group);
+    if (!shaded)
+        return std::unexpected(shaded.error());
+    if (auto ok = context_->finish(); !ok)
+        return ok;
+    record(Stage::GenerateCameraRays, milliseconds(*generated) + milliseconds(*traced));
+    record(Stage::RayShader, milliseconds(*shaded));
+    return {};
+}
+
+Result<bool> Renderer::step() {
+    if (!inPass_)
+        return true;
+    const std::uint32_t left = film_.pixelCount - nextPixel_;
+    std::uint32_t count = firstChunk;
+    if (pixelsPerMillisecond_ > 0.0)
+        count = static_cast<std::uint32_t>(std::clamp(pixelsPerMillisecond_ * chunkMilliseconds, 1024.0, 1e9));
+    count = std::min(left, (count + tilePixels - 1) / tilePixels * tilePixels);
+    const auto start = Clock::now();
+    if (auto ok = launchChunk(count); !ok) {
+        state_.scene.reset();
+        inPass_ = false;
+        return std::unexpected(ok.error());
+    }
+    pixelsPerMillisecond_ = count / std::max(since(start), 1e-3);
+    nextPixel_ += count;
+    if (nextPixel_ < film_.pixelCount)
+        return false;
+    inPass_ = false;
+    state_.dropped = false;
+    ++state_.samples;
+    passMilliseconds_ = since(began_);
+    return true;
+}
+
+void Renderer::drop() { inPass_ = false; }
+
+Result<std::vector<std::uint8_t>> Renderer::display() {
+    const auto pixels = static_cast<std::size_t>(film_.width) * static_cast<std::size_t>(film_.height);
+    const double exposure = state_.scene ? state_.scene->render.exposure : 0.0;
+    const auto scale = static_cast<float>(std::exp2(exposure) / std::max(state_.samples, 1));
+    kernels_->toneMap.setArguments(film_.sums, film_.display, film_.width, film_.height, scale);
+    const auto launched = kernels_->toneMap.launch(*context_, pixels, kernels_->groupSize);
+    if (!launched)
+        return std::unexpected(launched.error());
+    std::vector<std::uint32_t> words(pixels);
+    if (auto ok = film_.display.read(*context_, words, 0, "picture"); !ok)
+        return std::unexpected(ok.error());
+    record(Stage::Display, milliseconds(*launched));
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
+    return std::vector<std::uint8_t>(bytes, bytes + 4 * pixels);
+}
+
+Result<std::vector<float>> Renderer::mean() {
+    const auto pixels = static_cast<std::size_t>(film_.width) * static_cast<std::size_t>(film_.height);
+    if (auto ok = film_.mean.reserve(*context_, 4 * pixels, "picture"); !ok)
+        return std::unexpected(ok.error());
+    const auto scale = static_cast<float>(1.0 / std::max(state_.samples, 1));
+    kernels_->meanRadiance.setArguments(film_.sums, film_.mean, film_.width, film_.height, scale);
+    const auto launched = kernels_->meanRadiance.launch(*context_, pixels, kernels_->groupSize);
+    if (!launched)
+        return std::unexpected(launched.error());
+    std::vector<float> values(4 * pixels);
+    if (auto ok = film_.mean.read(*context_, values, 0, "picture"); !ok)
+        return std::unexpected(ok.error());
+    return values;
+}
+
+RenderStatistics Renderer::statistics(bool countRays) {
+    RenderStatistics result;
+    result.device = device().name;
+    result.stages = stageStatistics_;
+    result.passMilliseconds = passMilliseconds_;
+    result.triangles = deviceScene_->instances().triangleCount();
+    result.deviceBytes = context_->allocatedBytes();
+    result.rays.camera = static_cast<std::uint64_t>(film_.width) * static_cast<std::uint64_t>(film_.height);
+    if (!countRays)
+        return result;
+    std::vector<std::uint32_t> counts(film_.pixelCount);
+    if (!film_.rayCounts.read(*context_, counts, 0, "ray counts"))
+        return result;
+    for (const std::uint32_t count : counts) {
+        result.rays.shadow += count & 0xFFFFu;
+        result.rays.secondary += count >> 16;
+    }
+    return result;
+}
+
+Result<Pick> Renderer::pick(double x, double y, int viewWidth, int viewHeight) {
+    if (!state_.scene || film_.pixelCount == 0)
+        return Pick{};
+    const CameraFrame frame = frameOf(state_.scene->camera);
+    const double halfHeight = std::tan(glm::radians(state_.scene->camera.fovY) * 0.5);
+    const double aspect = static_cast<double>(viewWidth) / std::max(viewHeight, 1);
+    const double across = (x / std::max(viewWidth, 1) * 2.0 - 1.0) * halfHeight * aspect;
+    const double upward = (1.0 - y / std::max(viewHeight, 1) * 2.0) * halfHeight;
+    const glm::dvec3 direction = glm::normalize(frame.forward + frame.right * across + frame.up * upward);
+    const glm::dvec3 origin = state_.scene->camera.position - state_.anchor;
+    DeviceRay ray{};
+    store(ray.origin, origin);
+    store(ray.direction, direction);
+    ray.tMax = INFINITY;
+    Buffer<DeviceRay> rays;
+    Buffer<DeviceHit> hits;
+    std::vector<DeviceHit> found(1);
+    if (auto ok = rays.assign(*context_, std::span(&ray, 1), "ray"); !ok)
+        return std::unexpected(ok.error());
+    if (auto ok = hits.reserve(*context_, 1, "hit"); !ok)
+        return std::unexpected(ok.error());
+    Kernel& trace = kernels_->traceClosest;
+    deviceScene_->setSceneArguments(trace);
+    trace.addArgument(rays);
+    trace.addArgument(hits);
+    trace.addArgument(0u);
+    trace.addArgument(1u);
+    if (const auto launched = trace.launch(*context_, 1, kernels_->groupSize); !launched)
+        return std::unexpected(launched.error());
+    if (auto ok = hits.read(*context_, found, 0, "hit"); !ok)
+        return std::unexpected(ok.error());
+    if (found[0].instance == PRIZMA_NO_HIT)
+        return Pick{};
+    return Pick{deviceScene_->instances().objectOf(found[0].instance),
+                state_.scene->camera.position + direction * static_cast<double>(found[0].t)};
+}
+
+} // namespace prizma

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "core/compute/context.h"
+#include "core/render/device_scene.h"
+#include "core/render/film.h"
+#include "core/render/render_plan.h"
+#include "core/render/render_thread.h"
+#include "core/render/statistics.h"
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace prizma {
+
+struct RendererOptions {
+    std::string deviceId;             ///< Empty: the default device.
+    std::optional<TreeLayout> layout; ///< Nothing: what suits the device.
+    std::function<void()> treeReady;  ///< From another thread: a tree that a scene waits for has been built.
+    std::function<void()> building;   ///< Before kernels are compiled.
+};
+
+/// Renders scenes on one device: plans, brings the device up to date, adds sample after sample. For one thread.
+class Renderer {
+  public:
+    static Result<std::unique_ptr<Renderer>> create(RendererOptions options);
+    ~Renderer();
+
+    const DeviceInfo& device() const { return context_->info(); }
+
+    /// The scene with what can be drawn now: meshes whose trees are still being built are taken out. The first call
+    /// for a mesh starts its build.
+    Scene drawable(Scene scene);
+
+    /// Waits for the trees of all visible objects.
+    void waitForTrees(const Scene& scene);
+
+    bool isBuildingTrees() const { return trees_.isBuilding(); }
+
+    /// What it would take to come to the next sample of `scene`, which `drawable` gave.
+    RenderPlan plan(const Scene& scene, int width, int height) const;
+
+    /// Brings the device up to the plan and starts its pass, if it has one. After an error the device's content counts
+    /// as lost and the next plan starts from nothing.
+    Result<void> begin(const RenderPlan& plan, const Scene& scene, int width, int height);
+
+    /// Works for about 30 ms on the pass. True: the pass is complete, or there was none.
+    Result<bool> step();
+
+    /// Leaves a pass half done.
+    void drop();
+
+    int samples() const { return state_.samples; }
+    int width() const { return state_.width; }
+    int height() const { return state_.height; }
+
+    /// The picture for a screen, RGBA, tone mapped with the scene's exposure.
+    Result<std::vector<std::uint8_t>> display();
+
+    /// Linear radiance and coverage, RGBA.
+    Result<std::vector<float>> mean();
+
+    /// Of the last plan and pass. Counting rays costs a read of one number a pixel: only where `countRays` is set.
+    RenderStatistics statistics(bool countRays);
+
+    /// What the centre of a pixel of a view shows; the scene is the one of the last `begin`.
+    Result<Pick> pick(double x, double y, int viewWidth, int viewHeight);
+
+    Context& context() { return *context_; }
+    KernelSet& kernels() { return *kernels_; }
+    DeviceScene& deviceScene() { return *deviceScene_; }
+    const glm::dvec3& anchor() const { return state_.anchor; }
+
+  private:
+    Renderer(std::unique_ptr<Context> context, TreeLayout layout, std::function<void()> treeReady);
+
+    Result<void> update(const RenderPlan& plan, const Scene& scene);
+    Result<void> launchChunk(std::uint32_t count);
+    DeviceView viewOf(const Scene& scene, int width, int height) const;
+    DeviceShading shadingOf(const Scene& scene) const;
+    void record(Stage stage, double milliseconds);
+
+    std::unique_ptr<Context> context_;
+    TreeStore trees_;
+    std::unique_ptr<KernelSet> kernels_;
+    std::unique_ptr<DeviceScene> deviceScene_;
+    DeviceState state_;
+    Film film_;
+
+    RenderPlan plan_;
+    Kernel* rayShader_ = nullptr;
+    DeviceView view_{};
+    DeviceShading shading_{};
+    std::uint32_t nextPixel_ = 0;
+    bool inPass_ = false;
+    double pixelsPerMillisecond_ = 0.0; ///< Of the last chunk, to size the next.
+    std::vector<StageStatistics> stageStatistics_;
+    std::chrono::steady_clock::time_point began_;
+    double passMilliseconds_ = 0.0;
+};
+
+} // namespace prizma

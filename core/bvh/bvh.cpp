@@ -32,7 +32,7 @@ void forEachBlock(std::uint32_t count, const Work& work) {
     const auto run = [&](std::uint32_t block) {
         work(block, block * blockSize, std::min(count, (block + 1) * blockSize));
     };
-    if (count <= blockSize)
+    if (blocksOf(count) == 1)
         run(0);
     else
         tbb::parallel_for(0u, blocksOf(count), run);

@@ -171,13 +171,4 @@ DeviceTree layOutTopLevel(const Bvh& bvh, TreeLayout layout) {
     });
 }
 
-std::vector<Bounds> triangleBounds(const Mesh& mesh) {
-    std::vector<Bounds> bounds(mesh.triangles.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, bounds.size(), grain), [&](const auto& range) {
-        for (std::size_t i = range.begin(); i != range.end(); ++i)
-            bounds[i] = triangleBounds(mesh, static_cast<std::uint32_t>(i));
-    });
-    return bounds;
-}
-
 } // namespace prizma

@@ -30,15 +30,13 @@ struct DeviceTree {
     std::vector<std::vector<std::uint32_t>> refitLevels;
 };
 
-/// Lays a tree over a mesh's triangles out for tracing; boxes are collapsed 2 -> 8 by surface area for Wide8
-/// (Ylitie et al. 2017, greedy form). `bvh` was built over the boxes of `mesh.triangles`.
+/// Lays a tree over a mesh's triangles out for tracing; for Wide8 the binary nodes are collapsed to the
+/// eight-wide ones of least expected cost (Ylitie et al. 2017). `bvh` was built over `mesh`, with leaves of
+/// up to 8 triangles.
 DeviceTree layOutBottomLevel(const Bvh& bvh, const Mesh& mesh, TreeLayout layout);
 
 /// Lays a tree over instances out: leaves hold one instance index each, no leaf array is filled.
 /// `bvh` was built with maxLeafSize 1.
 DeviceTree layOutTopLevel(const Bvh& bvh, TreeLayout layout);
-
-/// Boxes of a mesh's triangles, in order; what buildBvh wants.
-std::vector<Bounds> triangleBounds(const Mesh& mesh);
 
 } // namespace prizma

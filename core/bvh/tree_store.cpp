@@ -6,7 +6,7 @@
 namespace prizma {
 
 DeviceTreePtr buildTree(const Mesh& mesh, TreeLayout layout, Progress& progress) {
-    const auto bvh = buildBvh(triangleBounds(mesh), {}, progress);
+    const auto bvh = buildBvh(mesh, {}, progress);
     if (!bvh)
         return nullptr;
     return std::make_shared<const DeviceTree>(layOutBottomLevel(*bvh, mesh, layout));

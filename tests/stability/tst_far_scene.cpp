@@ -123,7 +123,7 @@ void FarSceneTest::noAcneAtAnyScale() {
         light.position = glm::dvec3(0, 0, 50) * scale;
         light.intensity = 2500.0 * scale * scale;
         addLight(scene, light);
-        scene.camera = {glm::dvec3(0, 0, 3) * scale, {}, {0, 1, 0}, 15.0};
+        scene.camera = {glm::dvec3(0, 0, 3) * scale, {}, {0, 1, 0}, 8.0};
         scene.background.color = glm::dvec3(0.0);
         scene.render.samples = 1;
         const OfflinePicture picture = render(scene);

@@ -58,7 +58,7 @@ void ComputeTest::arenaKeepsEveryPiece() {
         if (pieces.size() < 4 || random() % 5 < 3) {
             std::vector<std::uint32_t> content(random() % 300);
             for (auto& value : content)
-                value = random();
+                value = static_cast<std::uint32_t>(random());
             const auto first = arena.add(*context_, content);
             QVERIFY(first);
             if (!content.empty())

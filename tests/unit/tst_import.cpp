@@ -1,4 +1,3 @@
-#define QT_NO_KEYWORDS // a mesh has slots of its own
 #include "core/import/model_importer.h"
 
 #include <QDir>

@@ -90,10 +90,10 @@ void RenderPlanTest::firstPictureNeedsEverything() {
     const RenderPlan plan = makePlan({}, scene, 640, 480);
     QVERIFY(plan.restarts);
     QCOMPARE(stagesOf(plan),
-             then({Stage::Geometry, Stage::Textures, Stage::Materials, Stage::Lights, Stage::Pose, Stage::VertexShader,
+             then({Stage::Geometry, Stage::Textures, Stage::Materials, Stage::Lights, Stage::Poses, Stage::VertexShader,
                    Stage::TriangleShader, Stage::RefitTreeShader, Stage::TopLevel}));
     QCOMPARE(plan.find(Stage::Geometry)->objects.size(), 3u);
-    QCOMPARE(plan.find(Stage::Pose)->objects, std::vector<Id>{scene.objects[2].id});
+    QCOMPARE(plan.find(Stage::Poses)->objects, std::vector<Id>{scene.objects[2].id});
 }
 
 void RenderPlanTest::nextSampleKeepsThePicture() {
@@ -177,9 +177,9 @@ void RenderPlanTest::timeMovesPosedObjectsOnly() {
     Scene after = before;
     after.timeline.frame = 12.0;
     const RenderPlan plan = planAfter(before, after);
-    QCOMPARE(stagesOf(plan), then({Stage::Pose, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader,
+    QCOMPARE(stagesOf(plan), then({Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader,
                                    Stage::TopLevel}));
-    for (const Stage stage : {Stage::Pose, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader})
+    for (const Stage stage : {Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader})
         QCOMPARE(plan.find(stage)->objects, std::vector<Id>{before.objects[2].id});
 
     Scene still = before;

@@ -1,0 +1,372 @@
+#include "core/bvh/device_layout.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <random>
+
+using namespace prizma;
+
+namespace {
+
+Mesh randomMesh(std::size_t triangles, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> place(-1.0f, 1.0f);
+    std::uniform_real_distribution<float> edge(-0.05f, 0.05f);
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < triangles; ++i) {
+        const glm::vec3 a{place(random), place(random), place(random)};
+        mesh.positions.push_back(a);
+        mesh.positions.push_back(a + glm::vec3(edge(random), edge(random), edge(random)));
+        mesh.positions.push_back(a + glm::vec3(edge(random), edge(random), edge(random)));
+        mesh.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+    }
+    return mesh;
+}
+
+DeviceTree layOut(const Mesh& mesh, TreeLayout layout, const BvhBuildOptions& options = {}) {
+    Progress progress;
+    return layOutBottomLevel(*buildBvh(mesh, options, progress), mesh, layout);
+}
+
+/// A child of a node of either layout.
+struct Child {
+    Bounds box;
+    std::uint32_t reference;
+
+    bool isMissing() const { return reference == PRIZMA_NO_CHILD; }
+    bool isLeaf() const { return !isMissing() && (reference & PRIZMA_LEAF_BIT) != 0; }
+};
+
+std::size_t nodeCount(const DeviceTree& tree) {
+    return tree.layout == TreeLayout::Wide8 ? tree.wideNodes.size() : tree.binaryNodes.size();
+}
+
+std::vector<Child> childrenOf(const DeviceTree& tree, std::size_t index) {
+    std::vector<Child> children;
+    if (tree.layout == TreeLayout::Wide8) {
+        const WideNode& n = tree.wideNodes[index];
+        for (int i = 0; i < 8; ++i)
+            children.push_back({{{n.bounds[0][i], n.bounds[2][i], n.bounds[4][i]},
+                                 {n.bounds[1][i], n.bounds[3][i], n.bounds[5][i]}},
+                                n.child[i]});
+        return children;
+    }
+    const BinaryNode& n = tree.binaryNodes[index];
+    children.push_back(
+        {{{n.box0xy[0], n.box0xy[2], n.boxesZ[0]}, {n.box0xy[1], n.box0xy[3], n.boxesZ[1]}}, n.child[0]});
+    children.push_back(
+        {{{n.box1xy[0], n.box1xy[2], n.boxesZ[2]}, {n.box1xy[1], n.box1xy[3], n.boxesZ[3]}}, n.child[1]});
+    return children;
+}
+
+void setBox(DeviceTree& tree, std::size_t index, int child, const Bounds& box) {
+    if (tree.layout == TreeLayout::Wide8) {
+        for (int axis = 0; axis < 3; ++axis) {
+            tree.wideNodes[index].bounds[2 * axis][child] = box.low[axis];
+            tree.wideNodes[index].bounds[2 * axis + 1][child] = box.high[axis];
+        }
+        return;
+    }
+    BinaryNode& n = tree.binaryNodes[index];
+    float* xy = child == 0 ? n.box0xy : n.box1xy;
+    xy[0] = box.low.x;
+    xy[1] = box.high.x;
+    xy[2] = box.low.y;
+    xy[3] = box.high.y;
+    n.boxesZ[2 * child] = box.low.z;
+    n.boxesZ[2 * child + 1] = box.high.z;
+}
+
+/// The mesh's triangles in a leaf; nothing if the leaf does not say the same as the mesh.
+std::optional<std::vector<std::uint32_t>> trianglesOf(const DeviceTree& tree, const Child& child,
+                                                      const Mesh& mesh) {
+    std::vector<std::uint32_t> triangles;
+    const auto matches = [&mesh](std::uint32_t triangle, const glm::vec3& a, const glm::vec3& b,
+                                 const glm::vec3& c) {
+        const glm::uvec3 t = mesh.triangles.at(triangle);
+        return mesh.positions[t.x] == a && mesh.positions[t.y] == b && mesh.positions[t.z] == c;
+    };
+    if (tree.layout == TreeLayout::Binary2) {
+        const std::uint32_t count = ((child.reference & ~PRIZMA_LEAF_BIT) >> PRIZMA_LEAF_COUNT_SHIFT) + 1;
+        const std::uint32_t first = child.reference & PRIZMA_LEAF_FIRST_MASK;
+        for (std::uint32_t i = first; i < first + count; ++i) {
+            const BinaryTriangle& t = tree.binaryTriangles.at(i);
+            if (!matches(t.primitive, {t.a[0], t.a[1], t.a[2]}, {t.b[0], t.b[1], t.b[2]},
+                         {t.c[0], t.c[1], t.c[2]}))
+                return std::nullopt;
+            triangles.push_back(t.primitive);
+        }
+        return triangles;
+    }
+    const WideLeaf& leaf = tree.wideLeaves.at(child.reference & ~PRIZMA_LEAF_BIT);
+    for (int lane = 0; lane < 8; ++lane) {
+        const auto corner = [&](int k) {
+            return glm::vec3(leaf.corner[3 * k][lane], leaf.corner[3 * k + 1][lane],
+                             leaf.corner[3 * k + 2][lane]);
+        };
+        if (!matches(leaf.primitive[lane], corner(0), corner(1), corner(2)))
+            return std::nullopt;
+        if (triangles.empty() || triangles.back() != leaf.primitive[lane]) // places beyond the last repeat it
+            triangles.push_back(leaf.primitive[lane]);
+    }
+    return triangles;
+}
+
+Bounds boundsOf(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
+    Bounds bounds;
+    for (const std::uint32_t i : triangles)
+        bounds.add(triangleBounds(mesh, i));
+    return bounds;
+}
+
+/// Walks the tree. Every box must be exactly around what lies below it.
+class Walk {
+public:
+    Walk(const DeviceTree& tree, const Mesh& mesh)
+        : tree_(tree), mesh_(mesh), seen(mesh.triangles.size(), 0) {
+        visit(0, 1);
+    }
+
+    QString fault() const {
+        if (!fault_.isEmpty())
+            return fault_;
+        if (nodes_ != nodeCount(tree_))
+            return "nodes that nothing refers to";
+        if (std::any_of(seen.begin(), seen.end(), [](int n) { return n != 1; }))
+            return "a triangle that is not in exactly one leaf";
+        return depth_ == tree_.depth ? QString()
+                                     : QString("depth is %1 instead of %2").arg(tree_.depth).arg(depth_);
+    }
+
+private:
+    Bounds visit(std::uint32_t index, int depth) {
+        depth_ = std::max(depth_, depth);
+        ++nodes_;
+        Bounds whole;
+        bool missing = false;
+        for (const Child& child : childrenOf(tree_, index)) {
+            if (child.isMissing() != child.box.isEmpty() || (missing && !child.isMissing()))
+                fault_ = "a missing child with a box, or before another child";
+            missing = child.isMissing();
+            if (missing)
+                continue;
+            const Bounds content = contentOf(child, index, depth);
+            if (!(content == child.box))
+                fault_ = "a box that is not exactly around its content";
+            whole.add(content);
+        }
+        return whole;
+    }
+
+    Bounds contentOf(const Child& child, std::uint32_t parent, int depth) {
+        if (!child.isLeaf()) {
+            if (child.reference <= parent || child.reference >= nodeCount(tree_)) {
+                fault_ = "a child that does not come after its parent";
+                return {};
+            }
+            return visit(child.reference, depth + 1);
+        }
+        const auto triangles = trianglesOf(tree_, child, mesh_);
+        if (!triangles) {
+            fault_ = "a leaf that is not what the mesh is";
+            return {};
+        }
+        for (const std::uint32_t i : *triangles)
+            ++seen[i];
+        return boundsOf(mesh_, *triangles);
+    }
+
+    const DeviceTree& tree_;
+    const Mesh& mesh_;
+    std::vector<int> seen;
+    std::size_t nodes_ = 0;
+    int depth_ = 0;
+    QString fault_;
+};
+
+/// What the refit kernel does, a level after the other.
+void refit(DeviceTree& tree, const Mesh& mesh) {
+    for (const auto& level : tree.refitLevels)
+        for (const std::uint32_t index : level) {
+            const std::vector<Child> children = childrenOf(tree, index);
+            for (int i = 0; i < static_cast<int>(children.size()); ++i) {
+                const Child& child = children[static_cast<std::size_t>(i)];
+                if (child.isMissing())
+                    continue;
+                Bounds box;
+                if (child.isLeaf())
+                    box = boundsOf(mesh, trianglesOf(tree, child, mesh).value());
+                else
+                    for (const Child& below : childrenOf(tree, child.reference))
+                        box.add(below.box);
+                setBox(tree, index, i, box);
+            }
+        }
+}
+
+void moveCorners(DeviceTree& tree, const Mesh& mesh) {
+    for (BinaryTriangle& triangle : tree.binaryTriangles) {
+        const glm::uvec3 t = mesh.triangles[triangle.primitive];
+        for (int axis = 0; axis < 3; ++axis) {
+            triangle.a[axis] = mesh.positions[t.x][axis];
+            triangle.b[axis] = mesh.positions[t.y][axis];
+            triangle.c[axis] = mesh.positions[t.z][axis];
+        }
+    }
+    for (WideLeaf& leaf : tree.wideLeaves)
+        for (int lane = 0; lane < 8; ++lane)
+            for (int corner = 0; corner < 3; ++corner)
+                for (int axis = 0; axis < 3; ++axis)
+                    leaf.corner[3 * corner + axis][lane] =
+                        mesh.positions[mesh.triangles[leaf.primitive[lane]][corner]][axis];
+}
+
+const TreeLayout layouts[] = {TreeLayout::Wide8, TreeLayout::Binary2};
+
+} // namespace
+
+class TestDeviceLayout : public QObject {
+    Q_OBJECT
+
+private slots:
+    void holdsTheMesh_data();
+    void holdsTheMesh();
+    void staysShallowForHostileMeshes();
+    void ordersRefitLevels();
+    void refitsMovedVertices();
+    void fillsWideNodes();
+    void hasARootWithoutTriangles();
+    void laysOutInstances();
+};
+
+void TestDeviceLayout::holdsTheMesh_data() {
+    QTest::addColumn<int>("triangles");
+    for (const int count : {1, 2, 8, 9, 17, 64, 65, 300, 5000, 40000})
+        QTest::addRow("%d triangles", count) << count;
+}
+
+void TestDeviceLayout::holdsTheMesh() {
+    QFETCH(int, triangles);
+    const Mesh mesh = randomMesh(static_cast<std::size_t>(triangles), 3);
+    for (const TreeLayout layout : layouts)
+        for (const std::uint32_t leafSize : {1u, 3u, 8u}) {
+            BvhBuildOptions options;
+            options.maxLeafSize = leafSize;
+            const DeviceTree tree = layOut(mesh, layout, options);
+            QVERIFY(tree.layout == layout);
+            QCOMPARE(Walk(tree, mesh).fault(), QString());
+        }
+}
+
+void TestDeviceLayout::staysShallowForHostileMeshes() {
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < 20000; ++i) {
+        const float x = std::pow(1.004f, static_cast<float>(i));
+        for (const float y : {0.0f, 0.0f, i % 2 == 0 ? 0.0f : 1.0f})
+            mesh.positions.emplace_back(x, y, 0.0f);
+        mesh.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+    }
+    mesh.triangles.insert(mesh.triangles.end(), 20000, glm::uvec3(5, 5, 5)); // points, all at one place
+    for (const TreeLayout layout : layouts) {
+        const DeviceTree tree = layOut(mesh, layout);
+        QVERIFY(tree.depth <= PRIZMA_MAX_TREE_DEPTH);
+        QCOMPARE(Walk(tree, mesh).fault(), QString());
+    }
+}
+
+void TestDeviceLayout::ordersRefitLevels() {
+    const Mesh mesh = randomMesh(20000, 5);
+    for (const TreeLayout layout : layouts) {
+        const DeviceTree tree = layOut(mesh, layout);
+        std::vector<int> levelOf(nodeCount(tree), -1);
+        for (std::size_t level = 0; level < tree.refitLevels.size(); ++level)
+            for (const std::uint32_t index : tree.refitLevels[level]) {
+                QCOMPARE(levelOf[index], -1);
+                levelOf[index] = static_cast<int>(level);
+            }
+        for (std::size_t index = 0; index < levelOf.size(); ++index) {
+            int highest = -1;
+            for (const Child& child : childrenOf(tree, index))
+                if (!child.isMissing() && !child.isLeaf())
+                    highest = std::max(highest, levelOf[child.reference]);
+            QCOMPARE(levelOf[index], highest + 1); // as early as it can be
+        }
+        QCOMPARE(tree.refitLevels.back(), std::vector<std::uint32_t>{0});
+        QCOMPARE(static_cast<int>(tree.refitLevels.size()), tree.depth);
+    }
+}
+
+void TestDeviceLayout::refitsMovedVertices() {
+    Mesh mesh = randomMesh(20000, 7);
+    for (const TreeLayout layout : layouts) {
+        DeviceTree tree = layOut(mesh, layout);
+        Mesh moved = mesh;
+        for (std::size_t i = 0; i < moved.positions.size(); ++i) {
+            glm::vec3& p = moved.positions[i];
+            p = glm::vec3(p.y + std::sin(5.0f * p.x), p.z * 3.0f, p.x) +
+                (i % 3 == 0 ? glm::vec3(0.3f) : glm::vec3());
+        }
+        moveCorners(tree, moved);
+        QVERIFY(!Walk(tree, moved).fault().isEmpty()); // the old boxes cannot be right
+        refit(tree, moved);
+        QCOMPARE(Walk(tree, moved).fault(), QString());
+    }
+}
+
+void TestDeviceLayout::fillsWideNodes() {
+    const Mesh mesh = randomMesh(40000, 9);
+    const DeviceTree tree = layOut(mesh, TreeLayout::Wide8);
+    std::size_t children = 0;
+    for (std::size_t i = 0; i < tree.wideNodes.size(); ++i)
+        for (const Child& child : childrenOf(tree, i))
+            children += child.isMissing() ? 0 : 1;
+    const double average = static_cast<double>(children) / static_cast<double>(tree.wideNodes.size());
+    QVERIFY2(average > 5.0, qPrintable(QString("%1 children a node").arg(average)));
+    QVERIFY(tree.wideLeaves.size() < mesh.triangles.size() / 4);
+}
+
+void TestDeviceLayout::hasARootWithoutTriangles() {
+    for (const TreeLayout layout : layouts) {
+        const DeviceTree bottom = layOut(Mesh{}, layout);
+        QCOMPARE(nodeCount(bottom), std::size_t{1});
+        for (const Child& child : childrenOf(bottom, 0))
+            QVERIFY(child.isMissing() && child.box.isEmpty());
+        QCOMPARE(nodeCount(layOutTopLevel({}, layout)), std::size_t{1});
+    }
+}
+
+void TestDeviceLayout::laysOutInstances() {
+    std::mt19937 random(13);
+    std::uniform_real_distribution<float> place(-10.0f, 10.0f);
+    for (const std::size_t count : {1, 2, 9, 1000}) {
+        std::vector<Bounds> boxes(count);
+        for (Bounds& box : boxes) {
+            box.low = {place(random), place(random), place(random)};
+            box.high = box.low + glm::vec3(1.0f);
+        }
+        BvhBuildOptions options;
+        options.maxLeafSize = 1;
+        Progress progress;
+        const Bvh bvh = *buildBvh(boxes, options, progress);
+        for (const TreeLayout layout : layouts) {
+            const DeviceTree tree = layOutTopLevel(bvh, layout);
+            QVERIFY(tree.wideLeaves.empty() && tree.binaryTriangles.empty());
+            std::vector<int> seen(count, 0);
+            for (std::size_t i = 0; i < nodeCount(tree); ++i)
+                for (const Child& child : childrenOf(tree, i))
+                    if (child.isLeaf()) {
+                        const std::uint32_t instance = child.reference & ~PRIZMA_LEAF_BIT;
+                        ++seen.at(instance);
+                        QVERIFY(child.box == boxes[instance]);
+                    }
+            QVERIFY(std::all_of(seen.begin(), seen.end(), [](int n) { return n == 1; }));
+        }
+    }
+}
+
+QTEST_GUILESS_MAIN(TestDeviceLayout)
+#include "tst_device_layout.moc"

@@ -24,7 +24,7 @@ QImage imageOf(const Frame& frame) {
         frame.pixels.size() <
             static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height) * 4)
         return {};
-    const QImage view(frame.pixels.data(), frame.width, frame.height, frame.width * 4,
+    const QImage view(frame.pixels.data(), frame.width, frame.height, static_cast<qsizetype>(frame.width) * 4,
                       QImage::Format_RGBX8888);
     return view.convertToFormat(QImage::Format_RGB32);
 }

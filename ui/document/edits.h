@@ -3,6 +3,8 @@
 #include "core/import/model_importer.h"
 #include "core/scene/scene.h"
 
+#include <QString>
+
 #include <vector>
 
 namespace prizma {

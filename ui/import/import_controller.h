@@ -3,6 +3,7 @@
 #include "core/diagnostic.h"
 #include "core/import/model_importer.h"
 #include "core/project/project_file.h"
+#include "ui/import/background_job.h"
 
 #include <QObject>
 #include <QPointer>
@@ -13,7 +14,6 @@
 
 namespace prizma {
 
-class BackgroundJob;
 class Document;
 
 /// Brings files into the document: reads them one after the other in the background and edits the scene only

@@ -100,6 +100,7 @@ void MaterialSlots::rebuild(const std::vector<std::string>& names) {
         boxes_.push_back(box);
     }
     layout()->addWidget(content_);
+    content_->show(); // now, not when the event loop comes round
 }
 
 void MaterialSlots::fill(QComboBox& box, Id current) {

@@ -149,6 +149,7 @@ void PropertyEditor::rebuild(const std::vector<PropertyInfo>& properties) {
     for (const PropertyInfo& property : properties)
         addRow(property);
     content_->insertWidget(content_->indexOf(slots_), grid_);
+    grid_->show(); // now, not when the event loop comes round
 }
 
 void PropertyEditor::addRow(const PropertyInfo& property) {

@@ -89,7 +89,7 @@ void TestMainWindow::renameThenUndo() {
     QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(editor, QStringLiteral("floor 7"));
     QTest::keyClick(editor, Qt::Key_Return);
-    QCOMPARE(toQString(scene().objects[0].name), QStringLiteral("floor 7"));
+    QTRY_COMPARE(toQString(scene().objects[0].name), QStringLiteral("floor 7"));
     QVERIFY(window_->isWindowModified());
     trigger(*window_, QStringLiteral("Edit/Undo"));
     QCOMPARE(scene().objects[0].name, before);

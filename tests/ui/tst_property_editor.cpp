@@ -284,7 +284,7 @@ void TestPropertyEditor::colourDialogIsOneStep() {
 
 void TestPropertyEditor::colourConversion() {
     QCOMPARE(displayColor({1.0, 1.0, 1.0}), QColor(255, 255, 255));
-    QCOMPARE(displayColor({0.0, 0.2140411, 1.0}).green(), 128);
+    QCOMPARE(displayColor({0.0, 0.2158605, 1.0}).green(), 128);
     QCOMPARE(displayColor({4.0, 0.0, 0.0}).red(), 255); // brighter than white: scaled down
     for (int value = 0; value <= 255; value += 5) {
         const QColor color(value, 255 - value, 128);

@@ -124,7 +124,7 @@ void TestSceneTree::editorRenames() {
     QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(editor, QStringLiteral("big box"));
     QTest::keyClick(editor, Qt::Key_Return);
-    QCOMPARE(toQString(document_->scene().objects[1].name), QStringLiteral("big box"));
+    QTRY_COMPARE(toQString(document_->scene().objects[1].name), QStringLiteral("big box"));
     QCOMPARE(tree_->indexOf(object(1)).data().toString(), QStringLiteral("big box"));
     QCOMPARE(document_->undoStack().count(), 1);
     document_->undoStack().undo();

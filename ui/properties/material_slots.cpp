@@ -5,29 +5,16 @@
 #include "ui/document/edits.h"
 #include "ui/document/strings.h"
 #include "ui/main_window/theme.h"
-#include "ui/properties/color_editor.h"
+#include "ui/scene_tree/entity_icon.h"
 
 #include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
-#include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace prizma {
 namespace {
-
-/// A ball in the material's colour: enough to tell materials apart in a list.
-QIcon materialIcon(const Material& material) {
-    QPixmap pixmap(16, 16);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QColor(0, 0, 0, 120));
-    painter.setBrush(displayColor(material.baseColor));
-    painter.drawEllipse(QRectF(2.0, 2.0, 12.0, 12.0));
-    return pixmap;
-}
 
 QToolButton* makeButton(const QString& iconName, const QString& tip) {
     auto* button = new QToolButton;
@@ -89,7 +76,7 @@ void MaterialSlots::rebuild(const std::vector<std::string>& names) {
         box->setMinimumContentsLength(6);
         box->setFocusPolicy(Qt::StrongFocus);
         connect(box, &QComboBox::activated, this, [this, slot](int index) { chosen(slot, index); });
-        auto* jumpButton = makeButton(QStringLiteral("go-jump"), tr("Edit this material"));
+        auto* jumpButton = makeButton(QStringLiteral("document-edit"), tr("Edit this material"));
         connect(jumpButton, &QToolButton::clicked, this, [this, slot] { jump(slot); });
         auto* newButton = makeButton(QStringLiteral("list-add"), tr("Assign a new material"));
         connect(newButton, &QToolButton::clicked, this, [this, slot] { assignNew(slot); });
@@ -110,7 +97,7 @@ void MaterialSlots::fill(QComboBox& box, Id current) {
     for (const Material& material : materials) {
         if (material.id == current)
             index = box.count();
-        box.addItem(materialIcon(material), toQString(material.name),
+        box.addItem(materialIcon(material.baseColor), toQString(material.name),
                     QVariant::fromValue<qulonglong>(material.id));
     }
     box.setCurrentIndex(index);

@@ -145,8 +145,6 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
         revert();
         return;
     case Qt::Key_Escape:
-        if (dragging_)
-            cancelDrag();
         revert();
         clearFocus();
         return;
@@ -206,6 +204,12 @@ void NumberField::paintEvent(QPaintEvent* event) {
 }
 
 bool NumberField::eventFilter(QObject* watched, QEvent* event) {
+    if (dragging_ && (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) &&
+        static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+        event->accept();
+        cancelDrag();
+        return true;
+    }
     if (watched == lineEdit() && handleMouse(event))
         return true;
     return QAbstractSpinBox::eventFilter(watched, event);
@@ -256,7 +260,7 @@ bool NumberField::handleMouse(QEvent* event) {
 
 void NumberField::beginDrag() {
     dragging_ = true;
-    grabKeyboard(); // for Esc: a field that is dragged has no focus
+    qApp->installEventFilter(this); // for Esc: a field that is dragged has no focus
     dragValue_ = valueBefore_ = value_;
     Q_EMIT gestureStarted();
 }
@@ -278,7 +282,7 @@ void NumberField::endDrag() {
     if (!dragging_)
         return;
     dragging_ = false;
-    releaseKeyboard();
+    qApp->removeEventFilter(this);
     Q_EMIT gestureFinished();
 }
 

@@ -6,6 +6,8 @@
 #include <QApplication>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace prizma {
 namespace {
 
@@ -44,7 +46,7 @@ void BadgeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
 }
 
 QSize BadgeDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-    const int height = QStyledItemDelegate::sizeHint(option, index).height();
+    const int height = std::max(20, QStyledItemDelegate::sizeHint(option, index).height()); // room to aim at
     if (!index.data(SceneModel::BadgeRole).isValid())
         return {0, height};
     const QFontMetrics metrics(badgeFont(option));

@@ -40,13 +40,13 @@ std::vector<SceneModel::Row> SceneModel::rowsOf(const Scene& scene, EntityKind k
     std::vector<Row> rows;
     if (kind == EntityKind::Object)
         for (const Object& object : scene.objects)
-            rows.push_back({{kind, object.id}, object.name, object.visible, object.dynamic, {}});
+            rows.push_back({{kind, object.id}, object.name, object.visible, object.dynamic, {}, {}});
     else if (kind == EntityKind::Light)
         for (const Light& light : scene.lights)
-            rows.push_back({{kind, light.id}, light.name, light.enabled, false, light.type});
+            rows.push_back({{kind, light.id}, light.name, light.enabled, false, light.type, {}});
     else if (kind == EntityKind::Material)
         for (const Material& material : scene.materials)
-            rows.push_back({{kind, material.id}, material.name, true, false, {}});
+            rows.push_back({{kind, material.id}, material.name, true, false, {}, material.baseColor});
     return rows;
 }
 
@@ -192,6 +192,8 @@ QVariant SceneModel::nameData(const QModelIndex& index, int role) const {
     case Qt::DecorationRole:
         if (row && row->entity.kind == EntityKind::Light)
             return lightIcon(row->lightType);
+        if (row && row->entity.kind == EntityKind::Material)
+            return materialIcon(row->color);
         return entityIcon(shown_, {row ? row->entity.kind : group->kind});
     default:
         return {};

@@ -49,6 +49,7 @@ private:
         bool on = true;
         bool dynamic = false;
         LightType lightType = LightType::Point;
+        glm::dvec3 color{0.0}; ///< Of a material.
 
         friend bool operator==(const Row&, const Row&) = default;
     };

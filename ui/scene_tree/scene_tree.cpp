@@ -68,6 +68,7 @@ SceneTree::SceneTree(Document& document, QWidget* parent)
     view_->header()->setSectionResizeMode(SceneModel::SwitchColumn, QHeaderView::Fixed);
     view_->header()->resizeSection(SceneModel::SwitchColumn, 28);
     view_->expandAll();
+    spanGroups();
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -102,8 +103,15 @@ void SceneTree::setFilter(const QString& text) {
     syncing_ = true; // what the filter hides stays selected
     filtered_->setFilterFixedString(text);
     view_->expandAll();
+    spanGroups();
     syncing_ = false;
     showSelection();
+}
+
+void SceneTree::spanGroups() {
+    // Their names have no badge beside them to make room for.
+    for (int row = 0; row < filtered_->rowCount(); ++row)
+        view_->setFirstColumnSpanned(row, {}, true);
 }
 
 void SceneTree::takeSelection() {

@@ -39,6 +39,7 @@ Q_SIGNALS:
 
 private:
     void setFilter(const QString& text);
+    void spanGroups();
     void takeSelection(); ///< From the view to the document.
     void showSelection(); ///< From the document to the view.
     void showMenu(const QPoint& position);

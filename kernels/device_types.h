@@ -152,6 +152,7 @@ typedef struct {
 // What RayShader needs to know beside the scene.
 typedef struct {
     float background[3]; // radiance, or the factor of the image
+    float ambient[3];    // the background's mean radiance
     DeviceUint backgroundTexture;
     DeviceInt maxDepth;
     float sceneRadius; // for the depth view
@@ -183,7 +184,7 @@ static_assert(sizeof(DeviceMaterial) == 64);
 static_assert(sizeof(DeviceTexture) == 16);
 static_assert(sizeof(DeviceLight) == 80);
 static_assert(sizeof(DeviceView) == 76);
-static_assert(sizeof(DeviceShading) == 24);
+static_assert(sizeof(DeviceShading) == 36);
 static_assert(sizeof(DeviceInfluence) == 8);
 static_assert(sizeof(DeviceRefitEntry) == 12);
 } // namespace prizma

@@ -30,7 +30,7 @@ Result<void> DeviceScene::run(const PlannedStage& stage, const Scene& scene, con
     case Stage::Textures: return materials_.updateTextures(context_, scene);
     case Stage::Materials: return materials_.updateMaterials(context_, scene);
     case Stage::Lights: return materials_.updateLights(context_, scene, anchor);
-    case Stage::Pose: return pose(stage, scene, state);
+    case Stage::Poses: return pose(stage, scene, state);
     case Stage::VertexShader: return shadeVertices(stage);
     case Stage::TriangleShader: return shadeTriangles(stage);
     case Stage::RefitTreeShader: return refit(stage);

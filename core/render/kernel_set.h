@@ -4,7 +4,7 @@
 #include "core/compute/kernel.h"
 #include "core/scene/scene.h"
 
-#include <array>
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <string>
@@ -26,6 +26,9 @@ class KernelSet {
 
     std::size_t groupSize = 64;  ///< Work items a group for kernels that run once a pixel or ray.
     std::size_t raysAPacket = 16; ///< Rays a work item of tracePacket; GPUs make packets of threads instead.
+
+    /// Work items a group for tracePacket.
+    std::size_t packetGroupSize() const { return std::max<std::size_t>(groupSize / raysAPacket, 1); }
 
   private:
     Result<void> load(Context& context, const std::string& file,

@@ -47,6 +47,26 @@ std::vector<std::uint32_t> wordsOf(const Image& image) {
     return words;
 }
 
+/// Rows near the poles of an equirectangular picture stand for less of the sphere.
+glm::dvec3 meanOverSphere(const Image& image) {
+    glm::dvec3 sum(0.0);
+    double weights = 0.0;
+    for (int y = 0; y < image.height; ++y) {
+        const double weight = std::sin((y + 0.5) / image.height * 3.14159265358979323846);
+        for (int x = 0; x < image.width; ++x) {
+            const auto first = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) +
+                                    static_cast<std::size_t>(x));
+            for (int c = 0; c < 3; ++c) {
+                const auto i = first + static_cast<std::size_t>(c);
+                sum[c] += weight * (image.bytes.empty() ? image.floats[i]
+                                                        : decodeSrgb(static_cast<float>(image.bytes[i]) / 255.0f));
+            }
+            weights += weight;
+        }
+    }
+    return weights > 0.0 ? sum / weights : sum;
+}
+
 glm::dvec3 unitOrDown(const glm::dvec3& v) {
     const double length = glm::length(v);
     return std::isfinite(length) && length > 0.0 ? v / length : glm::dvec3(0.0, -1.0, 0.0);
@@ -131,6 +151,10 @@ Result<void> MaterialStore::updateTextures(Context& context, const Scene& scene)
     for (const ImagePtr& image : used)
         if (auto ok = uploadPicture(context, image); !ok)
             return ok;
+    if (backgroundImage_ != scene.background.image.image) {
+        backgroundImage_ = scene.background.image.image;
+        backgroundImageMean_ = backgroundImage_ ? meanOverSphere(*backgroundImage_) : glm::dvec3(0.0);
+    }
     std::vector<DeviceTexture> table;
     for (auto& [image, picture] : pictures_) {
         picture.index = static_cast<std::uint32_t>(table.size());

@@ -27,6 +27,9 @@ class MaterialStore {
     /// Place of a texture in the table: PRIZMA_NO_TEXTURE for none, the checkerboard for one that is missing.
     std::uint32_t indexOf(const Texture& texture) const;
 
+    /// Mean radiance of the background's image over all directions, without its intensity; 0 without an image.
+    const glm::dvec3& backgroundImageMean() const { return backgroundImageMean_; }
+
     const Buffer<DeviceMaterial>& materials() const { return materials_; }
     const Buffer<DeviceTexture>& textures() const { return textures_; }
     const Buffer<std::uint32_t>& texels() const { return texels_.buffer(); }
@@ -50,6 +53,8 @@ class MaterialStore {
     std::uint32_t lightCount_ = 0;
     std::unordered_map<Id, std::uint32_t> indexOfMaterial_;
     std::map<const Image*, Picture> pictures_;
+    glm::dvec3 backgroundImageMean_{0.0};
+    ImagePtr backgroundImage_; ///< The image that the mean is of.
     ImagePtr checkerboard_; ///< Stands in for pictures that are missing.
 };
 

@@ -14,7 +14,7 @@ double since(Clock::time_point start) {
 
 void addTimes(const RenderStatistics& statistics, OfflineTimes& times) {
     for (const StageStatistics& stage : statistics.stages) {
-        const bool refits = stage.stage == describe(Stage::Pose) || stage.stage == describe(Stage::VertexShader) ||
+        const bool refits = stage.stage == describe(Stage::Poses) || stage.stage == describe(Stage::VertexShader) ||
                             stage.stage == describe(Stage::TriangleShader) ||
                             stage.stage == describe(Stage::RefitTreeShader);
         double& part = stage.stage == describe(Stage::GenerateCameraRays) ? times.trace

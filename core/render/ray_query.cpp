@@ -52,13 +52,14 @@ Result<double> RayQuery::trace(RayQueryMode mode) {
                      : mode == RayQueryMode::Closest ? kernels.traceClosest
                                                      : kernels.tracePacket;
     const auto count = static_cast<std::uint32_t>(state_->rayCount);
-    const std::size_t raysAnItem = mode == RayQueryMode::ClosestPacket ? kernels.raysAPacket : 1;
+    const bool packets = mode == RayQueryMode::ClosestPacket;
+    const std::size_t items = packets ? (count + kernels.raysAPacket - 1) / kernels.raysAPacket : count;
     state_->renderer->deviceScene().setSceneArguments(kernel);
     kernel.addArgument(state_->rays);
     kernel.addArgument(state_->hits);
     kernel.addArgument(0u);
     kernel.addArgument(count);
-    const auto launched = kernel.launch(context, (count + raysAnItem - 1) / raysAnItem, kernels.groupSize);
+    const auto launched = kernel.launch(context, items, packets ? kernels.packetGroupSize() : kernels.groupSize);
     if (!launched)
         return std::unexpected(launched.error());
     if (auto ok = context.finish(); !ok)

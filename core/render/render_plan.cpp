@@ -68,7 +68,7 @@ void planPoses(const DeviceState& held, const Scene& next, const SceneDiff& chan
     }
     if (moving.empty())
         return;
-    for (const Stage stage : {Stage::Pose, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader})
+    for (const Stage stage : {Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader})
         plan.need(stage, changes.time ? "time changed" : "pose changed", moving);
     plan.need(Stage::TopLevel, "pose changed");
     plan.restart("pose changed");
@@ -135,7 +135,7 @@ std::string describe(Stage stage) {
     case Stage::Textures: return "Textures";
     case Stage::Materials: return "Materials";
     case Stage::Lights: return "Lights";
-    case Stage::Pose: return "Pose";
+    case Stage::Poses: return "Poses";
     case Stage::VertexShader: return "VertexShader";
     case Stage::TriangleShader: return "TriangleShader";
     case Stage::RefitTreeShader: return "RefitTreeShader";

@@ -17,7 +17,7 @@ enum class Stage {
     Textures,           ///< Upload pictures.
     Materials,          ///< Upload the material table.
     Lights,             ///< Upload the light table.
-    Pose,               ///< Evaluate clips, on the host.
+    Poses,              ///< Evaluate clips, on the host.
     VertexShader,       ///< Pose the vertices of Dynamic objects.
     TriangleShader,     ///< Put their triangles into the leaves.
     RefitTreeShader,    ///< Refit their trees.

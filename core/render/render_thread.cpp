@@ -97,7 +97,7 @@ class RenderThread::Worker {
     InteractiveResolution interactiveResolution_;
     Clock::time_point lastShown_;
     bool hasWork_ = false;    ///< More samples, or something changed.
-    bool unseen_ = false;     ///< Samples that no frame has shown yet.
+    bool settled_ = false;    ///< The last frame said that nothing more comes.
     std::string activity_;
 
     std::jthread thread_; ///< Last: it uses everything above.
@@ -220,7 +220,7 @@ bool RenderThread::Worker::work(const std::stop_token& stop) {
     const auto [width, height] = pictureSize();
     const RenderPlan plan = renderer_->plan(scene, width, height);
     if (plan.isEmpty()) {
-        if (unseen_)
+        if (!settled_)
             showFrame(true);
         return false;
     }
@@ -256,7 +256,7 @@ bool RenderThread::Worker::finishPass(const std::stop_token& stop) {
     }
     const double elapsed = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
     interactiveResolution_.measured(static_cast<double>(renderer_->width()) * renderer_->height(), elapsed);
-    unseen_ = true;
+    settled_ = false;
     const bool isFinal = renderer_->samples() >= request_->scene.render.samples;
     const bool isFirst = renderer_->samples() == 1;
     if (isFinal || isFirst || Clock::now() - lastShown_ >= shortestFrameTime)
@@ -276,11 +276,11 @@ void RenderThread::Worker::showFrame(bool isFinal) {
     frame->pixels = std::move(*pixels);
     frame->samples = renderer_->samples();
     frame->sampleLimit = request_->scene.render.samples;
-    frame->isFinal = isFinal;
+    frame->isFinal = isFinal && !renderer_->isBuildingTrees();
     frame->camera = request_->scene.camera;
     frame->statistics = renderer_->statistics(true);
     lastShown_ = Clock::now();
-    unseen_ = false;
+    settled_ = frame->isFinal;
     if (events_.frame)
         events_.frame(std::move(frame));
 }

@@ -161,6 +161,8 @@ DeviceShading Renderer::shadingOf(const Scene& scene) const {
     const Background& background = scene.background;
     const bool hasImage = background.image.isSet();
     store(shading.background, (hasImage ? glm::dvec3(1.0) : background.color) * background.intensity);
+    store(shading.ambient,
+          (hasImage ? deviceScene_->materials().backgroundImageMean() : background.color) * background.intensity);
     shading.backgroundTexture = deviceScene_->materials().indexOf(background.image);
     shading.maxDepth = scene.render.maxDepth;
     shading.sceneRadius = static_cast<float>(deviceScene_->instances().radius());
@@ -171,17 +173,18 @@ Result<void> Renderer::launchChunk(std::uint32_t count) {
     view_.firstPixel = nextPixel_;
     view_.pixelCount = count;
     const std::size_t group = kernels_->groupSize;
+    const std::size_t packets = (count + kernels_->raysAPacket - 1) / kernels_->raysAPacket;
     kernels_->generateCameraRays.setArguments(view_, film_.rays);
     auto generated = kernels_->generateCameraRays.launch(*context_, count, group);
     if (!generated)
         return std::unexpected(generated.error());
-    Kernel& trace = kernels_->traceClosest;
+    Kernel& trace = kernels_->tracePacket;
     deviceScene_->setSceneArguments(trace);
     trace.addArgument(film_.rays);
     trace.addArgument(film_.hits);
     trace.addArgument(nextPixel_);
     trace.addArgument(count);
-    auto traced = trace.launch(*context_, count, group);
+    auto traced = trace.launch(*context_, packets, kernels_->packetGroupSize());
     if (!traced)
         return std::unexpected(traced.error());
     deviceScene_->setSceneArguments(*rayShader_);

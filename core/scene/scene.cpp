@@ -77,14 +77,21 @@ DBounds worldBounds(const Scene& scene) {
 Camera frameBounds(Camera camera, const DBounds& bounds, double aspect) {
     if (bounds.isEmpty())
         return camera;
-    constexpr double margin = 1.1;
-    const double radius = std::max(glm::length(bounds.extent()) * 0.5, 1e-9);
-    const double halfFovY = glm::radians(camera.fovY) * 0.5;
-    const double halfFovX = std::atan(std::tan(halfFovY) * aspect);
-    const double distance = margin * radius / std::sin(std::min(halfFovX, halfFovY));
-    const glm::dvec3 forward = frameOf(camera).forward;
+    constexpr double margin = 1.08;
+    const CameraFrame frame = frameOf(camera);
+    const double tanY = std::tan(glm::radians(camera.fovY) * 0.5) / margin;
+    const double tanX = tanY * aspect;
+    const glm::dvec3 half = bounds.extent() * 0.5;
+    double distance = std::max(glm::length(half), 1e-9) * 0.1;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 toCorner{(corner & 1) != 0 ? half.x : -half.x, (corner & 2) != 0 ? half.y : -half.y,
+                                  (corner & 4) != 0 ? half.z : -half.z};
+        const double sideways = std::max(std::abs(glm::dot(toCorner, frame.right)) / tanX,
+                                         std::abs(glm::dot(toCorner, frame.up)) / tanY);
+        distance = std::max(distance, sideways - glm::dot(toCorner, frame.forward));
+    }
     camera.target = bounds.centre();
-    camera.position = camera.target - forward * distance;
+    camera.position = camera.target - frame.forward * distance;
     return camera;
 }
 

@@ -62,7 +62,7 @@ Scene makeStarterScene() {
 void presentModel(Scene& scene, double aspect) {
     const DBounds bounds = worldBounds(scene);
     addThreeLights(scene, bounds);
-    scene.background.color = {0.16, 0.17, 0.19};
+    scene.background.color = {0.06, 0.065, 0.075};
     scene.camera.position = scene.camera.target + towards(25, 15);
     scene.camera = frameBounds(scene.camera, bounds, aspect);
 }

@@ -154,7 +154,7 @@ def make_floor():
 def make_mirror():
     """A tall mirror with a frame and a foot; it stands on the origin, faces +Z and leans back."""
     model = Model("mirror", "A standing mirror.")
-    lean = math.radians(4)
+    lean = math.radians(1.5)
 
     def place(p):
         x, y, z = p
@@ -259,16 +259,16 @@ def make_shell():
     """A sea shell: a tube that grows along a falling spiral (Raup, 1966)."""
     model = Model("shell", "A sea shell.")
     model.material("shell", "Kd 1 1 1", "Ks 0.5 0.5 0.5", "Ns 50", "illum 2", "map_Kd shell.png")
-    sides, steps, turns, growth = 36, 260, 6.0, 0.17
+    sides, steps, turns, growth = 36, 260, 7.0, 0.085
 
     def point(i, j):
         t = 2 * math.pi * turns * (j / steps - 1)
         a = 2 * math.pi * i / sides
-        size = 0.2 * math.exp(growth * t)
-        size *= 1 + 0.018 * math.sin(18 * t)
+        size = 0.24 * math.exp(growth * t)
+        size *= 1 + 0.018 * math.sin(15 * t)
         tube = 1.02
         out = 1.0 + tube * math.cos(a)
-        y = 3.1 * (0.2 * 1.0 - size) / 1.0 + size * tube * 1.15 * math.sin(a)
+        y = 2.5 * (0.24 - size) + size * tube * 1.15 * math.sin(a)
         return ((size * out * math.cos(t), y, size * out * math.sin(t)), None,
                 (i / sides, 8 * j / steps))
 

@@ -232,7 +232,7 @@ const TreeLayout layouts[] = {TreeLayout::Wide8, TreeLayout::Binary2};
 class TestDeviceLayout : public QObject {
     Q_OBJECT
 
-private slots:
+private Q_SLOTS:
     void holdsTheMesh_data();
     void holdsTheMesh();
     void staysShallowForHostileMeshes();

@@ -14,12 +14,12 @@
 
 namespace prizma {
 
-/// The scene that is being edited, its undo stack, its selection and its file. Every edit of the scene goes through
-/// the undo stack; everybody else reads `scene()` and listens to `sceneChanged`.
+/// The scene that is being edited, its undo stack, its selection and its file. Every edit of the scene goes
+/// through the undo stack; everybody else reads `scene()` and listens to `sceneChanged`.
 class Document : public QObject {
     Q_OBJECT
 
-  public:
+public:
     explicit Document(QObject* parent = nullptr);
 
     const Scene& scene() const { return scene_; }
@@ -29,19 +29,25 @@ class Document : public QObject {
     const std::vector<EntityRef>& selection() const { return selection_; }
     void setSelection(std::vector<EntityRef> selection);
 
-    /// A number for one gesture (a drag, a run of typing): edits with equal gesture numbers become one undo step.
+    /// A number for one gesture (a drag, a run of typing): edits with equal gesture numbers become one undo
+    /// step.
     int newGesture() { return ++lastGesture_; }
 
-    /// Sets one property of one or several things as one undo step named after it ("Change intensity of key").
-    /// A value that changes nothing makes no step. Returns what was wrong with the value, or nothing.
-    QString setProperty(const std::vector<EntityRef>& entities, std::string_view key, const PropertyValue& value,
-                        int gesture = 0);
+    /// Sets one property of one or several things as one undo step named after it ("Change intensity of
+    /// key"). A value that changes nothing makes no step. Returns what was wrong with the value, or nothing.
+    QString setProperty(const std::vector<EntityRef>& entities, std::string_view key,
+                        const PropertyValue& value, int gesture = 0);
+
+    /// Like `setProperty`, with a value of its own for each thing: `change` gets the present value and gives
+    /// the new one. (Setting X of several positions leaves their Y and Z alone.)
+    QString changeProperty(const std::vector<EntityRef>& entities, std::string_view key,
+                           const std::function<PropertyValue(const PropertyValue&)>& change, int gesture = 0);
 
     /// Any other edit as one undo step called `text`: `change` gets a copy of the scene and alters it.
     void edit(const QString& text, const std::function<void(Scene&)>& change, int gesture = 0);
 
-    /// Moves the camera. Part of the document (it marks it as modified) but not of the undo stack: nobody expects
-    /// Ctrl+Z to orbit back.
+    /// Moves the camera. Part of the document (it marks a saved one as modified) but not of the undo stack:
+    /// nobody expects Ctrl+Z to orbit back.
     void setCamera(const Camera& camera);
 
     /// Replaces everything: the undo stack is cleared. `file` is empty for a scene that was never saved.
@@ -54,15 +60,20 @@ class Document : public QObject {
     QString title() const;                        ///< File name without path, or "Untitled".
     bool isModified() const;
 
-  Q_SIGNALS:
+    /// Grows with every edit, camera moves apart: tells whether something happened in between.
+    int revision() const { return revision_; }
+
+Q_SIGNALS:
+    /// After every change of the scene. Names are no part of a picture, so that renaming gives an empty diff.
     void sceneChanged(const prizma::SceneDiff& changes);
     void selectionChanged();
     void fileChanged(); ///< Title or modified mark.
 
-  private:
+private:
     friend class SceneCommand;
-    void apply(const Scene& scene);
-    void dropLostSelection();
+    void apply(Scene scene);
+    void push(const QString& text, Scene after, int gesture);
+    bool dropLostSelection(); ///< Gives whether there was any.
 
     Scene scene_;
     QUndoStack undoStack_;
@@ -71,6 +82,7 @@ class Document : public QObject {
     UnknownKeysPtr unknownKeys_;
     bool cameraMoved_ = false;
     int lastGesture_ = 0;
+    int revision_ = 0;
 };
 
 } // namespace prizma

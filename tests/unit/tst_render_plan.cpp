@@ -1,0 +1,242 @@
+#include "core/render/render_plan.h"
+#include "tests/support/test_scenes.h"
+
+#include <QtTest>
+
+using namespace prizma;
+using namespace prizma::test;
+
+namespace {
+
+/// Two still objects, a bending one, a light, materials.
+Scene makeScene() {
+    Scene scene;
+    const Id white = addMaterial(scene, lambert());
+    addObject(scene, primitiveObject(PrimitiveType::Cube, 1.0, white));
+    addObject(scene, primitiveObject(PrimitiveType::Sphere, 1.0, white, {2, 0, 0}));
+    addObject(scene, bendingObject());
+    Light light;
+    light.name = "key";
+    addLight(scene, light);
+    return scene;
+}
+
+/// What a device holds after it has drawn `scene` to its sample limit.
+DeviceState drawn(const Scene& scene) {
+    DeviceState state;
+    state.scene = scene;
+    for (const Object& object : scene.objects) {
+        if (!isDrawn(object))
+            continue;
+        state.resident.insert(object.id);
+        if (isPosed(object))
+            state.poses[object.id] = poseKeyOf(object, scene.timeline);
+    }
+    state.anchor = chooseAnchor(std::nullopt, scene.camera);
+    state.width = 640;
+    state.height = 480;
+    state.samples = scene.render.samples;
+    return state;
+}
+
+RenderPlan planAfter(const Scene& before, const Scene& after) { return makePlan(drawn(before), after, 640, 480); }
+
+std::vector<Stage> stagesOf(const RenderPlan& plan) {
+    std::vector<Stage> stages;
+    for (const PlannedStage& stage : plan.stages)
+        stages.push_back(stage.stage);
+    return stages;
+}
+
+const std::vector<Stage> newPicture{Stage::GenerateCameraRays, Stage::RayShader, Stage::Display};
+
+std::vector<Stage> then(std::vector<Stage> stages) {
+    stages.insert(stages.end(), newPicture.begin(), newPicture.end());
+    return stages;
+}
+
+} // namespace
+
+class RenderPlanTest : public QObject {
+    Q_OBJECT
+
+  private Q_SLOTS:
+    void sameSceneNeedsNothing();
+    void firstPictureNeedsEverything();
+    void nextSampleKeepsThePicture();
+    void cameraTouchesNoBuffer();
+    void resizeTouchesNoBuffer();
+    void lightTouchesLightsOnly();
+    void exposureTouchesDisplayOnly();
+    void materialValueTouchesMaterialsOnly();
+    void movedObjectTouchesTopLevelOnly();
+    void hiddenObjectTouchesTopLevelOnly();
+    void hiddenObjectIsNotPosed();
+    void timeMovesPosedObjectsOnly();
+    void newObjectIsUploadedAlone();
+    void nameIsNotInThePicture();
+    void farCameraMovesTheAnchor();
+    void orbitingKeepsTheAnchor();
+    void droppedPassRestarts();
+};
+
+void RenderPlanTest::sameSceneNeedsNothing() {
+    const Scene scene = makeScene();
+    QVERIFY(planAfter(scene, scene).isEmpty());
+}
+
+void RenderPlanTest::firstPictureNeedsEverything() {
+    const Scene scene = makeScene();
+    const RenderPlan plan = makePlan({}, scene, 640, 480);
+    QVERIFY(plan.restarts);
+    QCOMPARE(stagesOf(plan),
+             then({Stage::Geometry, Stage::Textures, Stage::Materials, Stage::Lights, Stage::Poses, Stage::VertexShader,
+                   Stage::TriangleShader, Stage::RefitTreeShader, Stage::TopLevel}));
+    QCOMPARE(plan.find(Stage::Geometry)->objects.size(), 3u);
+    QCOMPARE(plan.find(Stage::Poses)->objects, std::vector<Id>{scene.objects[2].id});
+}
+
+void RenderPlanTest::nextSampleKeepsThePicture() {
+    const Scene scene = makeScene();
+    DeviceState state = drawn(scene);
+    state.samples = 5;
+    const RenderPlan plan = makePlan(state, scene, 640, 480);
+    QVERIFY(!plan.restarts);
+    QCOMPARE(stagesOf(plan), newPicture);
+}
+
+void RenderPlanTest::cameraTouchesNoBuffer() {
+    const Scene before = makeScene();
+    Scene after = before;
+    after.camera.position.x += 0.5;
+    const RenderPlan plan = planAfter(before, after);
+    QVERIFY(plan.restarts);
+    QCOMPARE(stagesOf(plan), newPicture);
+}
+
+void RenderPlanTest::resizeTouchesNoBuffer() {
+    const Scene scene = makeScene();
+    const RenderPlan plan = makePlan(drawn(scene), scene, 320, 240);
+    QVERIFY(plan.restarts);
+    QCOMPARE(stagesOf(plan), newPicture);
+}
+
+void RenderPlanTest::lightTouchesLightsOnly() {
+    const Scene before = makeScene();
+    Scene after = before;
+    after.lights.edit()[0].intensity = 7.0;
+    QCOMPARE(stagesOf(planAfter(before, after)), then({Stage::Lights}));
+}
+
+void RenderPlanTest::exposureTouchesDisplayOnly() {
+    const Scene before = makeScene();
+    Scene after = before;
+    after.render.exposure = 1.5;
+    const RenderPlan plan = planAfter(before, after);
+    QVERIFY(!plan.restarts);
+    QCOMPARE(stagesOf(plan), std::vector<Stage>{Stage::Display});
+}
+
+void RenderPlanTest::materialValueTouchesMaterialsOnly() {
+    const Scene before = makeScene();
+    Scene after = before;
+    after.materials.edit()[0].roughness = 0.1;
+    QCOMPARE(stagesOf(planAfter(before, after)), then({Stage::Materials}));
+}
+
+void RenderPlanTest::movedObjectTouchesTopLevelOnly() {
+    const Scene before = makeScene();
+    for (std::size_t i = 0; i < before.objects.size(); ++i) {
+        Scene after = before;
+        after.objects.edit()[i].transform.translation.y += 1.0;
+        QCOMPARE(stagesOf(planAfter(before, after)), then({Stage::TopLevel}));
+    }
+}
+
+void RenderPlanTest::hiddenObjectTouchesTopLevelOnly() {
+    const Scene before = makeScene();
+    Scene after = before;
+    after.objects.edit()[1].visible = false;
+    QCOMPARE(stagesOf(planAfter(before, after)), then({Stage::TopLevel}));
+    QCOMPARE(stagesOf(planAfter(after, before)), then({Stage::Geometry, Stage::TopLevel}));
+}
+
+void RenderPlanTest::hiddenObjectIsNotPosed() {
+    Scene before = makeScene();
+    before.objects.edit()[2].visible = false;
+    Scene after = before;
+    after.timeline.frame = 12.0;
+    QVERIFY(planAfter(before, after).isEmpty());
+    // Nor is it uploaded, and moving it changes nothing that is seen.
+    after.objects.edit()[2].transform.translation.x = 4.0;
+    QVERIFY(planAfter(before, after).isEmpty());
+}
+
+void RenderPlanTest::timeMovesPosedObjectsOnly() {
+    const Scene before = makeScene();
+    Scene after = before;
+    after.timeline.frame = 12.0;
+    const RenderPlan plan = planAfter(before, after);
+    QCOMPARE(stagesOf(plan), then({Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader,
+                                   Stage::TopLevel}));
+    for (const Stage stage : {Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader})
+        QCOMPARE(plan.find(stage)->objects, std::vector<Id>{before.objects[2].id});
+
+    Scene still = before;
+    still.objects.edit()[2].clip.clear();
+    Scene later = still;
+    later.timeline.frame = 12.0;
+    QVERIFY(planAfter(still, later).isEmpty());
+}
+
+void RenderPlanTest::newObjectIsUploadedAlone() {
+    const Scene before = makeScene();
+    Scene after = before;
+    const Id added = addObject(after, primitiveObject(PrimitiveType::Torus, 1.0, noId));
+    const RenderPlan plan = planAfter(before, after);
+    QCOMPARE(stagesOf(plan), then({Stage::Geometry, Stage::TopLevel}));
+    QCOMPARE(plan.find(Stage::Geometry)->objects, std::vector<Id>{added});
+}
+
+void RenderPlanTest::nameIsNotInThePicture() {
+    const Scene before = makeScene();
+    Scene after = before;
+    after.objects.edit()[0].name = "renamed";
+    after.lights.edit()[0].name = "renamed";
+    after.materials.edit()[0].name = "renamed";
+    QVERIFY(planAfter(before, after).isEmpty());
+}
+
+void RenderPlanTest::farCameraMovesTheAnchor() {
+    const Scene before = makeScene();
+    Scene after = before;
+    after.camera.position += glm::dvec3(1e6);
+    after.camera.target += glm::dvec3(1e6);
+    const RenderPlan plan = planAfter(before, after);
+    QCOMPARE(plan.anchor, after.camera.position);
+    QCOMPARE(stagesOf(plan), then({Stage::Lights, Stage::TopLevel}));
+}
+
+void RenderPlanTest::orbitingKeepsTheAnchor() {
+    const Scene scene = makeScene();
+    const glm::dvec3 anchor = chooseAnchor(std::nullopt, scene.camera);
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    const double distance = glm::length(scene.camera.position - scene.camera.target);
+    for (int i = 0; i < 100; ++i) {
+        Camera camera = scene.camera;
+        camera.position =
+            camera.target + distance * glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+        QCOMPARE(chooseAnchor(anchor, camera), anchor);
+    }
+}
+
+void RenderPlanTest::droppedPassRestarts() {
+    const Scene scene = makeScene();
+    DeviceState state = drawn(scene);
+    state.dropped = true;
+    QVERIFY(makePlan(state, scene, 640, 480).restarts);
+}
+
+QTEST_GUILESS_MAIN(RenderPlanTest)
+#include "tst_render_plan.moc"

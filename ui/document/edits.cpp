@@ -1,0 +1,111 @@
+#include "ui/document/edits.h"
+
+#include "core/scene/edits.h"
+#include "core/scene/property_tables.h"
+#include "ui/document/document.h"
+#include "ui/document/strings.h"
+
+#include <algorithm>
+
+namespace prizma {
+namespace {
+
+bool isRemovable(EntityRef entity) {
+    return entity.kind == EntityKind::Object || entity.kind == EntityKind::Light ||
+           entity.kind == EntityKind::Material;
+}
+
+std::vector<EntityRef> removableSelection(const Document& document) {
+    std::vector<EntityRef> removable;
+    std::copy_if(document.selection().begin(), document.selection().end(), std::back_inserter(removable),
+                 isRemovable);
+    return removable;
+}
+
+template <class Enum>
+QString choiceLabel(Enum value) {
+    return translated(choicesOf<Enum>()[static_cast<std::size_t>(value)].label);
+}
+
+} // namespace
+
+void deleteSelected(Document& document) {
+    const auto entities = removableSelection(document);
+    if (!entities.empty())
+        document.edit(Document::tr("Delete %1").arg(describeEntities(document.scene(), entities)),
+                      [&](Scene& scene) { removeEntities(scene, entities); });
+}
+
+void duplicateSelected(Document& document) {
+    const auto entities = removableSelection(document);
+    if (entities.empty())
+        return;
+    std::vector<EntityRef> copies;
+    document.edit(Document::tr("Duplicate %1").arg(describeEntities(document.scene(), entities)),
+                  [&](Scene& scene) { copies = duplicateEntities(scene, entities); });
+    document.setSelection(copies);
+}
+
+void selectAll(Document& document) {
+    std::vector<EntityRef> all;
+    for (const Light& light : document.scene().lights)
+        all.push_back({EntityKind::Light, light.id});
+    for (const Object& object : document.scene().objects)
+        all.push_back({EntityKind::Object, object.id});
+    document.setSelection(all);
+}
+
+void addPrimitive(Document& document, PrimitiveType type) {
+    Id id = noId;
+    document.edit(Document::tr("Add %1").arg(labelOf(type).toLower()),
+                  [&](Scene& scene) { id = addPrimitive(scene, type); });
+    document.setSelection({{EntityKind::Object, id}});
+}
+
+void addLight(Document& document, LightType type) {
+    Id id = noId;
+    document.edit(Document::tr("Add light"), [&](Scene& scene) { id = addLight(scene, type); });
+    document.setSelection({{EntityKind::Light, id}});
+}
+
+void addMaterial(Document& document) {
+    Id id = noId;
+    document.edit(Document::tr("Add material"), [&](Scene& scene) { id = addMaterial(scene); });
+    document.setSelection({{EntityKind::Material, id}});
+}
+
+void assignMaterial(Document& document, const std::vector<Id>& objects, int slot, Id material) {
+    document.edit(Document::tr("Assign %1").arg(nameOf(document.scene(), {EntityKind::Material, material})),
+                  [&](Scene& scene) { assignMaterial(scene, objects, slot, material); });
+}
+
+Id addImportedModel(Document& document, const ImportedModel& model, const MeshSource& source) {
+    Id id = noId;
+    document.edit(Document::tr("Import model"), [&](Scene& scene) { id = addModel(scene, model, source); });
+    document.setSelection({{EntityKind::Object, id}});
+    return id;
+}
+
+std::vector<Id> selectedObjects(const Document& document) {
+    std::vector<Id> ids;
+    for (const EntityRef& entity : document.selection())
+        if (entity.kind == EntityKind::Object)
+            ids.push_back(entity.id);
+    return ids;
+}
+
+bool hasRemovableSelection(const Document& document) {
+    return std::any_of(document.selection().begin(), document.selection().end(), isRemovable);
+}
+
+QString labelOf(LightType type) {
+    return choiceLabel(type);
+}
+QString labelOf(PrimitiveType type) {
+    return choiceLabel(type);
+}
+QString labelOf(ShaderType type) {
+    return choiceLabel(type);
+}
+
+} // namespace prizma

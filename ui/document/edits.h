@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/import/model_importer.h"
+#include "core/scene/scene.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace prizma {
+
+class Document;
+
+/// The editor's commands on a scene, each one undo step that leaves the outcome selected.
+
+void deleteSelected(Document& document); ///< Cameras and settings stay.
+void duplicateSelected(Document& document);
+void selectAll(Document& document); ///< All objects and lights.
+void addPrimitive(Document& document, PrimitiveType type);
+void addLight(Document& document, LightType type);
+void addMaterial(Document& document);
+
+/// `slot` negative: in all slots.
+void assignMaterial(Document& document, const std::vector<Id>& objects, int slot, Id material);
+
+/// Gives the new object's id.
+Id addImportedModel(Document& document, const ImportedModel& model, const MeshSource& source);
+
+/// The ids of the selected objects.
+std::vector<Id> selectedObjects(const Document& document);
+
+/// Whether anything is selected that can be deleted and duplicated.
+bool hasRemovableSelection(const Document& document);
+
+/// "Point light", "Cube", ... for menus.
+QString labelOf(LightType type);
+QString labelOf(PrimitiveType type);
+QString labelOf(ShaderType type);
+
+} // namespace prizma

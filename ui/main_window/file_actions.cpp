@@ -1,0 +1,274 @@
+#include "ui/main_window/file_actions.h"
+
+#include "core/import/image_loader.h"
+#include "core/scene/starter_scene.h"
+#include "ui/document/document.h"
+#include "ui/document/strings.h"
+#include "ui/import/background_job.h"
+#include "ui/import/import_controller.h"
+#include "ui/import/import_options_dialog.h"
+#include "ui/import/import_settings.h"
+#include "ui/main_window/theme.h"
+#include "ui/viewport/viewport.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMessageBox>
+#include <QSettings>
+#include <QStandardPaths>
+
+namespace prizma {
+namespace {
+
+const QString projectSuffix = QStringLiteral("prizma");
+
+bool isProject(const QString& file) {
+    return QFileInfo(file).suffix().toLower() == projectSuffix;
+}
+
+/// The folder that a file dialog opened last time, one for each purpose.
+QString lastFolder(const QString& purpose) {
+    const QString home = QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
+    return QSettings().value(QStringLiteral("folders/") + purpose, home).toString();
+}
+
+/// A dialog that remembers where it was and calls `use` with what was chosen.
+void showFileDialog(QFileDialog* dialog, const QString& purpose,
+                    std::function<void(const QStringList&)> use) {
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    if (dialog->directory() == QDir::current())
+        dialog->setDirectory(lastFolder(purpose));
+    QObject::connect(dialog, &QFileDialog::filesSelected, dialog,
+                     [purpose, use = std::move(use)](const QStringList& files) {
+                         QSettings().setValue(QStringLiteral("folders/") + purpose,
+                                              QFileInfo(files.value(0)).absolutePath());
+                         use(files);
+                     });
+    dialog->open();
+}
+
+QString modelFilter() {
+    QStringList patterns;
+    for (const std::string& extension : modelExtensions())
+        patterns += QStringLiteral("*.") + toQString(extension);
+    return FileActions::tr("3D models (%1)").arg(patterns.join(QLatin1Char(' ')));
+}
+
+} // namespace
+
+FileActions::FileActions(Document& document, ImportController& importer, Viewport& viewport,
+                         QMainWindow& window)
+    : QObject(&window),
+      document_(document),
+      importer_(importer),
+      viewport_(viewport),
+      window_(window),
+      unsavedChanges_(
+          document, [this](const std::function<void()>& whenSaved) { save(whenSaved); }, window) {
+    connect(&recentFiles_, &RecentFiles::chosen, this, &FileActions::openFile);
+    connect(&importer_, &ImportController::projectLoaded, this, &FileActions::takeProject);
+    connect(&importer_, &ImportController::failed, this, [this](const QString& file) {
+        sample_.clear();
+        if (!QFileInfo::exists(file))
+            recentFiles_.remove(file);
+    });
+}
+
+void FileActions::fillMenu(QMenu& menu) {
+    const auto add = [&](const char* iconName, const QString& text, const QKeySequence& key, auto&& slot) {
+        QAction* action = menu.addAction(icon(QString::fromLatin1(iconName)), text, this, slot);
+        action->setShortcut(key);
+        return action;
+    };
+    add("document-new", tr("&New"), QKeySequence::New, [this] {
+        newScene();
+    })->setStatusTip(tr("Start with an empty scene"));
+    add("document-open", tr("&Open…"), QKeySequence::Open, [this] {
+        open();
+    })->setStatusTip(tr("Open a project file"));
+    QMenu* recent = menu.addMenu(icon(QStringLiteral("document-open-recent")), tr("Open &Recent"));
+    recentFiles_.attach(*recent);
+    menu.addSeparator();
+    add("document-save", tr("&Save"), QKeySequence::Save, [this] { save({}); });
+    add("document-save-as", tr("Save &As…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S, [this] { saveAs({}); });
+    menu.addSeparator();
+    add("document-import", tr("&Import Model…"), Qt::CTRL | Qt::Key_I, [this] {
+        import();
+    })->setStatusTip(tr("Add the contents of model files to the scene"));
+    add("document-export", tr("&Export Image…"), Qt::CTRL | Qt::Key_E, [this] {
+        exportImage();
+    })->setStatusTip(tr("Save the picture that is in the view"));
+    menu.addSeparator();
+    QAction* quit = add("application-exit", tr("&Quit"), QKeySequence::Quit, [this] { window_.close(); });
+    quit->setShortcut(Qt::CTRL | Qt::Key_Q); // no desktop, no standard key
+    quit->setMenuRole(QAction::QuitRole);
+}
+
+void FileActions::newScene() {
+    unsavedChanges_.guard([this] {
+        importer_.cancel();
+        document_.reset(makeStarterScene(), {});
+    });
+}
+
+void FileActions::open() {
+    auto* dialog = new QFileDialog(&window_, tr("Open a Project"));
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters({tr("Prizma projects (*.prizma)"), tr("All files (*)")});
+    showFileDialog(dialog, QStringLiteral("project"),
+                   [this](const QStringList& files) { openFile(files.value(0)); });
+}
+
+void FileActions::openFile(const QString& file) {
+    unsavedChanges_.guard([this, file] { load(file, false); });
+}
+
+void FileActions::openSample(const QString& file) {
+    load(file, true);
+}
+
+void FileActions::load(const QString& file, bool asSample) {
+    importer_.cancel();
+    sample_ = asSample ? file : QString();
+    loadRevision_ = document_.revision();
+    importer_.loadProject(file);
+}
+
+void FileActions::takeProject(const QString& file, const std::shared_ptr<Project>& project) {
+    const bool asSample = !sample_.isEmpty();
+    sample_.clear();
+    const auto take = [this, file, project, asSample] {
+        document_.reset(project->scene, asSample ? QString() : file,
+                        asSample ? nullptr : project->unknownKeys);
+        if (!asSample)
+            recentFiles_.add(file);
+    };
+    // Somebody may have gone on working while the file was read: that is not what was agreed to be lost.
+    if (document_.revision() == loadRevision_)
+        take();
+    else
+        unsavedChanges_.guard(take);
+}
+
+void FileActions::save(const std::function<void()>& whenSaved) {
+    if (document_.file().isEmpty())
+        saveAs(whenSaved);
+    else
+        saveFile(document_.file(), whenSaved);
+}
+
+void FileActions::saveAs(const std::function<void()>& whenSaved) {
+    auto* dialog = new QFileDialog(&window_, tr("Save the Project"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilter(tr("Prizma projects (*.prizma)"));
+    dialog->setDefaultSuffix(projectSuffix);
+    if (!document_.file().isEmpty())
+        dialog->selectFile(document_.file());
+    showFileDialog(dialog, QStringLiteral("project"),
+                   [this, whenSaved](const QStringList& files) { saveFile(files.value(0), whenSaved); });
+}
+
+void FileActions::saveFile(const QString& file, const std::function<void()>& whenSaved) {
+    const QString fault = document_.save(file);
+    if (!fault.isEmpty()) {
+        Q_EMIT message({Severity::Error, toStdString(fault), toStdString(file), 0});
+        report(tr("The Project Was Not Saved"), fault);
+        return;
+    }
+    recentFiles_.add(document_.file());
+    Q_EMIT saved(document_.file());
+    if (whenSaved)
+        whenSaved();
+}
+
+void FileActions::import() {
+    auto* dialog = new QFileDialog(&window_, tr("Import Models"));
+    dialog->setFileMode(QFileDialog::ExistingFiles);
+    dialog->setNameFilters({modelFilter(), tr("All files (*)")});
+    showFileDialog(dialog, QStringLiteral("model"),
+                   [this](const QStringList& files) { askAndImport(files); });
+}
+
+void FileActions::askAndImport(const QStringList& files) {
+    if (files.isEmpty())
+        return;
+    if (const auto remembered = rememberedImportOptions(files.first())) {
+        importFiles(files, *remembered);
+        return;
+    }
+    auto* dialog = new ImportOptionsDialog(files, &window_);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, files] {
+        if (dialog->isRemembered())
+            rememberImportOptions(files.first(), dialog->options());
+        importFiles(files, dialog->options());
+    });
+    dialog->open();
+}
+
+void FileActions::importFiles(const QStringList& files, const ImportOptions& options) {
+    for (const QString& file : files)
+        importer_.importModel(file, options);
+}
+
+void FileActions::takeFiles(const QStringList& files) {
+    QStringList models;
+    QString project;
+    for (const QString& file : files) {
+        if (isProject(file))
+            project = file;
+        else
+            models += file;
+    }
+    if (project.isEmpty())
+        askAndImport(models);
+    else // the models go into the project: both are read one after the other
+        unsavedChanges_.guard([this, project, models] {
+            load(project, false);
+            for (const QString& model : models)
+                importer_.importModel(model, importOptionsFor(model));
+        });
+}
+
+void FileActions::exportImage() {
+    if (!viewport_.lastFrame()) {
+        report(tr("There Is No Picture Yet"), tr("Nothing has been rendered so far."));
+        return;
+    }
+    auto* dialog = new QFileDialog(&window_, tr("Export the Picture"));
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setNameFilter(tr("PNG pictures (*.png)"));
+    dialog->setDefaultSuffix(QStringLiteral("png"));
+    dialog->selectFile(QFileInfo(document_.title()).completeBaseName() + QStringLiteral(".png"));
+    showFileDialog(dialog, QStringLiteral("picture"),
+                   [this](const QStringList& files) { exportImageTo(files.value(0)); });
+}
+
+void FileActions::exportImageTo(const QString& file) {
+    const FramePtr frame = viewport_.lastFrame();
+    if (!frame)
+        return;
+    new BackgroundJob(
+        tr("Writing %1…").arg(QFileInfo(file).fileName()),
+        [this, file, frame](Progress&) -> BackgroundJob::Delivery {
+            const auto written = savePng(toStdString(file), frame->width, frame->height, frame->pixels);
+            return [this, file, written] {
+                if (written)
+                    Q_EMIT message({Severity::Information, toStdString(tr("The picture was saved.")),
+                                    toStdString(file), 0});
+                else
+                    Q_EMIT message(written.error());
+            };
+        },
+        this);
+}
+
+void FileActions::report(const QString& title, const QString& text) {
+    auto* box = new QMessageBox(QMessageBox::Warning, title, text, QMessageBox::Ok, &window_);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+} // namespace prizma

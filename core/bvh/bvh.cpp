@@ -118,9 +118,8 @@ void Builder::load(std::uint32_t count, const BoxOf& boxOf) {
             const Bounds box = boxOf(i);
             if (!isUsable(box))
                 continue;
-            Fragment& fragment = arrays_[0][first + job.count++];
-            fragment.low = Float4{box.low.x, box.low.y, box.low.z, std::bit_cast<float>(i)};
-            fragment.high = Float4{box.high.x, box.high.y, box.high.z, 0.0f};
+            const Fragment fragment = Fragment::of(box, i);
+            arrays_[0][first + job.count++] = fragment;
             job.box.add(fragment.low, fragment.high);
             job.centres.add(fragment.halfCentre(), fragment.halfCentre());
         }
@@ -352,8 +351,7 @@ int Builder::levelsFor(std::uint32_t count) const {
 template <class BoxOf>
 Result<Bvh> buildFrom(std::size_t count, const BoxOf& boxOf, const BvhBuildOptions& options,
                       Progress& progress) {
-    // Both an index and a sum of a node's children have to fit into 32 bits.
-    if (count > 0x7FFFFFFFu)
+    if (count > Fragment::maxPrimitives)
         return failure("There are too many primitives for one tree.");
     if (progress.isCancelled())
         return failure("Building the tree was cancelled.");

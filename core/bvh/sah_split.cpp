@@ -1,6 +1,7 @@
 #include "core/bvh/sah_split.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace prizma {
@@ -32,9 +33,33 @@ PartitionBounds partitionAlong(std::span<const Fragment> from, BinMapping mappin
     return {leftCentres, rightCentres};
 }
 
-std::uint32_t difference(std::uint32_t a, std::uint32_t b) {
-    return a > b ? a - b : b - a;
-}
+/// Running boxes of the three axes' bins, from one end on.
+struct Sweep {
+    Box4 boxes[3];
+    Int4 counts{};
+
+    void add(const BinSet& bins, std::uint32_t bin) {
+        for (int axis = 0; axis < 3; ++axis)
+            boxes[axis].add(bins.boxes[axis][bin]);
+        counts += std::bit_cast<Int4>(bins.counts[bin]);
+    }
+
+    /// Half of the boxes' scaled surfaces, an axis a lane.
+    Float4 halfAreas(float scale) const {
+        Float4 products[3];
+        for (int axis = 0; axis < 3; ++axis) {
+            const Float4 extent = boxes[axis].high * scale - boxes[axis].low * scale;
+            products[axis] = extent * __builtin_shufflevector(extent, extent, 1, 2, 0, 3);
+        }
+        // Transposed, so that a lane's sum becomes a sum of registers.
+        const Float4 xy = __builtin_shufflevector(products[0], products[1], 0, 4, 1, 5);
+        const Float4 xyLast = __builtin_shufflevector(products[0], products[1], 2, 6, 3, 7);
+        const Float4 first = __builtin_shufflevector(xy, products[2], 0, 1, 4, 4);
+        const Float4 second = __builtin_shufflevector(xy, products[2], 2, 3, 5, 5);
+        const Float4 third = __builtin_shufflevector(xyLast, products[2], 0, 1, 6, 6);
+        return first + second + third;
+    }
+};
 
 } // namespace
 
@@ -51,10 +76,9 @@ BinMapping::BinMapping(const Box4& centres, std::uint32_t primitiveCount)
 }
 
 void BinSet::clear(std::uint32_t bins) {
-    for (int axis = 0; axis < 3; ++axis) {
-        std::fill_n(boxes[axis].begin(), bins, Box4{});
-        std::fill_n(counts[axis].begin(), bins, 0u);
-    }
+    for (auto& axis : boxes)
+        std::fill_n(axis.begin(), bins, Box4{});
+    std::fill_n(counts.begin(), bins, std::array<std::int32_t, 4>{});
 }
 
 void BinSet::add(std::span<const Fragment> fragments, const BinMapping& mapping) {
@@ -66,9 +90,9 @@ void BinSet::add(std::span<const Fragment> fragments, const BinMapping& mapping)
         boxes[0][x].add(fragment.low, fragment.high);
         boxes[1][y].add(fragment.low, fragment.high);
         boxes[2][z].add(fragment.low, fragment.high);
-        ++counts[0][x];
-        ++counts[1][y];
-        ++counts[2][z];
+        ++counts[x][0];
+        ++counts[y][1];
+        ++counts[z][2];
     };
     // Neighbours in the list mostly share their bins, and each would wait for the one before to be stored.
     // Two that are far apart do not.
@@ -85,56 +109,62 @@ void BinSet::add(const BinSet& other, std::uint32_t bins) {
     for (int axis = 0; axis < 3; ++axis)
         for (std::uint32_t bin = 0; bin < bins; ++bin) {
             boxes[axis][bin].add(other.boxes[axis][bin]);
-            counts[axis][bin] += other.counts[axis][bin];
+            counts[bin][axis] += other.counts[bin][axis];
         }
 }
 
 std::uint32_t BinSet::countBelow(int axis, std::uint32_t bin) const {
     std::uint32_t count = 0;
     for (std::uint32_t i = 0; i < bin; ++i)
-        count += counts[axis][i];
+        count += static_cast<std::uint32_t>(counts[i][axis]);
     return count;
 }
 
 Split findBestSplit(const BinSet& bins, const BinMapping& mapping, const Box4& node, const SahCosts& costs) {
+    const Float4 none = splat(std::numeric_limits<float>::infinity());
     const float scale = areaScale(node);
-    std::array<float, maxBins> rightArea{};
-    std::array<std::uint32_t, maxBins> rightCount{};
+    std::array<Float4, maxBins> rightAreas;
+    std::array<Int4, maxBins> rightCounts;
+    Sweep right;
+    for (std::uint32_t bin = mapping.bins() - 1; bin > 0; --bin) {
+        right.add(bins, bin);
+        rightAreas[bin] = right.halfAreas(scale);
+        rightCounts[bin] = right.counts;
+    }
+    // All three axes at once, each in its lane.
+    Float4 bestCosts = none;
+    Int4 bestBins{};
+    Int4 bestImbalances{};
+    Sweep left;
+    for (std::uint32_t bin = 1; bin < mapping.bins(); ++bin) {
+        left.add(bins, bin - 1);
+        const Int4 isSplit = (left.counts > 0) & (rightCounts[bin] > 0);
+        const Float4 sum = left.halfAreas(scale) * costs.leafSteps(left.counts) +
+                           rightAreas[bin] * costs.leafSteps(rightCounts[bin]);
+        const Float4 cost = isSplit ? sum : none;
+        const Int4 difference = left.counts - rightCounts[bin];
+        const Int4 imbalance = difference < 0 ? -difference : difference;
+        const Int4 isBetter =
+            (cost < bestCosts) | ((cost == bestCosts) & isSplit & (imbalance < bestImbalances));
+        bestCosts = isBetter ? cost : bestCosts;
+        bestImbalances = isBetter ? imbalance : bestImbalances;
+        bestBins = isBetter ? Int4{} + static_cast<std::int32_t>(bin) : bestBins;
+    }
     Split best;
-    float bestCost = std::numeric_limits<float>::infinity();
-    std::uint32_t bestImbalance = 0;
-
     for (int axis = 0; axis < 3; ++axis) {
-        if (!mapping.separates(axis))
+        if (!mapping.separates(axis) || bestBins[axis] == 0)
             continue;
-        Box4 box;
-        std::uint32_t count = 0;
-        for (std::uint32_t bin = mapping.bins() - 1; bin > 0; --bin) {
-            box.add(bins.boxes[axis][bin]);
-            count += bins.counts[axis][bin];
-            rightArea[bin] = scaledHalfArea(box, scale);
-            rightCount[bin] = count;
-        }
-        box = {};
-        count = 0;
-        for (std::uint32_t bin = 1; bin < mapping.bins(); ++bin) {
-            box.add(bins.boxes[axis][bin - 1]);
-            count += bins.counts[axis][bin - 1];
-            if (count == 0 || rightCount[bin] == 0)
-                continue;
-            const float cost = scaledHalfArea(box, scale) * costs.leafSteps(count) +
-                               rightArea[bin] * costs.leafSteps(rightCount[bin]);
-            const std::uint32_t imbalance = difference(count, rightCount[bin]);
-            if (cost < bestCost || (cost == bestCost && imbalance < bestImbalance)) {
-                bestCost = cost;
-                bestImbalance = imbalance;
-                best.axis = axis;
-                best.bin = bin;
-            }
+        const bool isFirst = !best.isValid();
+        if (isFirst || bestCosts[axis] < bestCosts[best.axis] ||
+            (bestCosts[axis] == bestCosts[best.axis] && bestImbalances[axis] < bestImbalances[best.axis])) {
+            best.axis = axis;
+            best.bin = static_cast<std::uint32_t>(bestBins[axis]);
         }
     }
+    if (!best.isValid())
+        return best;
     const float area = scaledHalfArea(node, scale);
-    best.cost = costs.traversal + (area > 0.0f ? costs.intersection * bestCost / area : 0.0f);
+    best.cost = costs.traversal + (area > 0.0f ? costs.intersection * bestCosts[best.axis] / area : 0.0f);
     return best;
 }
 

@@ -15,15 +15,22 @@ struct alignas(32) Fragment {
     Float4 low; ///< Lane 3: the primitive's index, as bits.
     Float4 high;
 
-    std::uint32_t primitive() const { return std::bit_cast<std::uint32_t>(low[3]); }
+    static constexpr std::uint32_t maxPrimitives = 0x3F000000u;
 
-    /// Half of the centroid: differences of halves cannot overflow. Lane 3 is cleared, because an index
-    /// read as a float is a denormal number, which costs some processors a hundred cycles a multiplication.
-    Float4 halfCentre() const {
-        const Int4 keep = {-1, -1, -1, 0};
-        const Int4 bits = reinterpret_cast<Int4>(low) & keep;
-        return reinterpret_cast<Float4>(bits) * 0.25f + high * 0.25f;
+    static Fragment of(const Bounds& box, std::uint32_t primitive) {
+        return {Float4{box.low.x, box.low.y, box.low.z, std::bit_cast<float>(primitive | indexBias)},
+                Float4{box.high.x, box.high.y, box.high.z, 0.0f}};
     }
+
+    std::uint32_t primitive() const { return std::bit_cast<std::uint32_t>(low[3]) & ~indexBias; }
+
+    /// Half of the centroid: differences of halves cannot overflow.
+    Float4 halfCentre() const { return low * 0.25f + high * 0.25f; }
+
+private:
+    /// Makes an index a normal number when read as a float: denormal ones cost some processors a hundred
+    /// cycles a multiplication.
+    static constexpr std::uint32_t indexBias = 0x40000000u;
 };
 
 inline constexpr std::uint32_t maxBins = 32;
@@ -55,7 +62,8 @@ private:
 /// The boxes and numbers of the primitives in each bin, on the three axes.
 struct BinSet {
     std::array<std::array<Box4, maxBins>, 3> boxes;
-    std::array<std::array<std::uint32_t, maxBins>, 3> counts;
+    alignas(
+        16) std::array<std::array<std::int32_t, 4>, maxBins> counts; ///< By bin, then axis; the fourth is 0.
 
     /// Empties the first `bins` of each axis; no others are looked at.
     void clear(std::uint32_t bins);
@@ -74,6 +82,10 @@ struct SahCosts {
 
     float leafSteps(std::uint32_t count) const {
         return static_cast<float>((count + (1u << widthShift) - 1) >> widthShift);
+    }
+    Float4 leafSteps(Int4 counts) const {
+        const auto shift = static_cast<std::int32_t>(widthShift);
+        return __builtin_convertvector((counts + ((1 << shift) - 1)) >> shift, Float4);
     }
 };
 

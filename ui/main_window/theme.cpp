@@ -53,6 +53,7 @@ constexpr auto styleSheet = R"(
 QToolTip { color: #dfe1e5; background: #3a3d42; border: 1px solid #55595f; padding: 4px; }
 QMainWindow::separator { background: #1a1b1d; width: 4px; height: 4px; }
 QMainWindow::separator:hover { background: #356fb8; }
+QDockWidget { titlebar-close-icon: url(:/icons/close.svg); titlebar-normal-icon: url(:/icons/float.svg); }
 QDockWidget::title { background: #323539; padding: 6px 8px; }
 QStatusBar::item { border: none; }
 )";
@@ -60,6 +61,7 @@ QStatusBar::item { border: none; }
 } // namespace
 
 void applyTheme(QApplication& application) {
+    initResources();
     application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
     application.setPalette(darkPalette());
     application.setStyleSheet(QString::fromLatin1(styleSheet));

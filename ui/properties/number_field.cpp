@@ -197,6 +197,10 @@ void NumberField::paintEvent(QPaintEvent* event) {
     painter.setRenderHint(QPainter::Antialiasing);
     if (markColor_.isValid())
         painter.fillRect(QRectF(2.0, 4.0, 2.0, height() - 8.0), markColor_);
+    if (maximum_ - minimum_ == 1.0 && !mixed_) { // a share: show how much
+        const double width = (QAbstractSpinBox::width() - 6.0) * (value_ - minimum_);
+        painter.fillRect(QRectF(3.0, height() - 4.0, width, 2.0), theme::accent());
+    }
     if (faulty_) {
         painter.setPen(QPen(theme::error(), 1.5));
         painter.drawRoundedRect(QRectF(rect()).adjusted(1.0, 1.0, -1.0, -1.0), 2.0, 2.0);

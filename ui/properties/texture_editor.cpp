@@ -105,6 +105,7 @@ void TextureEditor::showTexture(const Texture& texture, bool mixed) {
     if (texture.image != shown_.image || thumbnail_->pixmap().isNull())
         thumbnail_->setPixmap(thumbnailOf(texture.image, thumbnailSize));
     shown_ = texture;
+    thumbnail_->setVisible(!thumbnail_->pixmap().isNull());
     clear_->setVisible(texture.isSet() || mixed);
     if (path_->isModified() && path_->hasFocus())
         return; // somebody types

@@ -52,8 +52,10 @@ QIcon entityIcon(const Scene& scene, EntityRef entity) {
         const Light* light = scene.findLight(entity.id);
         return lightIcon(light ? light->type : LightType::Point);
     }
-    case EntityKind::Material:
-        return icon(QStringLiteral("material"));
+    case EntityKind::Material: {
+        const Material* material = scene.findMaterial(entity.id);
+        return material ? materialIcon(material->baseColor) : icon(QStringLiteral("material"));
+    }
     case EntityKind::Camera:
         return icon(QStringLiteral("camera"));
     case EntityKind::Background:

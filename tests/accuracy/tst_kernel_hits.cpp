@@ -1,5 +1,4 @@
 // Hit by hit: the kernels against the reference tracer in double precision.
-#define QT_NO_KEYWORDS // Mesh has a member that Qt would make a keyword of
 #include "core/import/model_importer.h"
 #include "core/reference/reference_tracer.h"
 #include "core/render/ray_query.h"

@@ -1,6 +1,5 @@
 // What must hold for every ray, however awkward: closed meshes have no holes, and nothing hangs or becomes
 // NaN.
-#define QT_NO_KEYWORDS // Mesh has a member that Qt would make a keyword of
 #include "core/render/ray_query.h"
 #include "core/scene/primitives.h"
 

@@ -81,7 +81,6 @@ class RenderThread::Worker {
     void reportActivity();
 
     std::pair<int, int> pictureSize() const;
-    Scene drawnScene() { return renderer_->drawable(request_->scene); }
 
     const RenderEvents events_;
     std::mutex mutex_;
@@ -97,6 +96,7 @@ class RenderThread::Worker {
     InteractiveResolution interactiveResolution_;
     Clock::time_point lastShown_;
     bool hasWork_ = false;    ///< More samples, or something changed.
+    bool complete_ = false;   ///< What is drawn lacks no object whose tree is still being built.
     bool settled_ = false;    ///< The last frame said that nothing more comes.
     std::string activity_;
 
@@ -215,12 +215,13 @@ bool RenderThread::Worker::isStale() {
 bool RenderThread::Worker::work(const std::stop_token& stop) {
     if (request_->width <= 0 || request_->height <= 0 || request_->paused)
         return false;
-    const Scene scene = drawnScene();
+    const Scene scene = renderer_->drawable(request_->scene);
+    complete_ = scene.objects.shares(request_->scene.objects);
     reportActivity();
     const auto [width, height] = pictureSize();
     const RenderPlan plan = renderer_->plan(scene, width, height);
     if (plan.isEmpty()) {
-        if (!settled_)
+        if (!settled_ && complete_)
             showFrame(true);
         return false;
     }
@@ -276,7 +277,7 @@ void RenderThread::Worker::showFrame(bool isFinal) {
     frame->pixels = std::move(*pixels);
     frame->samples = renderer_->samples();
     frame->sampleLimit = request_->scene.render.samples;
-    frame->isFinal = isFinal && !renderer_->isBuildingTrees();
+    frame->isFinal = isFinal && complete_;
     frame->camera = request_->scene.camera;
     frame->statistics = renderer_->statistics(true);
     lastShown_ = Clock::now();

@@ -76,6 +76,7 @@ RenderRequest makeRequest(int samples = 4) {
     addObject(request.scene, primitiveObject(PrimitiveType::Sphere, 1.0, white, {0, 1, 0}));
     Light light;
     light.position = {2, 3, 4};
+    light.intensity = 15.0; // mid grey in the middle, so that exposure shows
     addLight(request.scene, light);
     request.scene.render.samples = samples;
     request.width = 160;

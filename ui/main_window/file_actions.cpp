@@ -127,6 +127,7 @@ void FileActions::openFile(const QString& file) {
 }
 
 void FileActions::openSample(const QString& file) {
+    document_.reset(Scene{}, {}); // nothing to see until it is there, rather than another scene for a blink
     load(file, true);
 }
 

@@ -25,6 +25,9 @@ typedef std::int32_t DeviceInt;
 
 #define PRIZMA_NO_HIT 0xFFFFFFFFu
 
+// Linear values up to here (2^-13) are byte 0 in sRGB.
+#define PRIZMA_SRGB_SMALLEST 0.0001220703125f
+
 // Wide8: boxes of eight children as lowX, highX, lowY, highY, lowZ, highZ. A missing child has an inside-out box.
 typedef struct {
     float bounds[6][8];

@@ -236,7 +236,8 @@ Result<std::vector<std::uint8_t>> Renderer::display() {
     const auto pixels = static_cast<std::size_t>(film_.width) * static_cast<std::size_t>(film_.height);
     const double exposure = state_.scene ? state_.scene->render.exposure : 0.0;
     const auto scale = static_cast<float>(std::exp2(exposure) / std::max(state_.samples, 1));
-    kernels_->toneMap.setArguments(film_.sums, film_.display, film_.width, film_.height, scale);
+    kernels_->toneMap.setArguments(film_.sums, film_.display, film_.width, film_.height, scale,
+                                   film_.encoding);
     const auto launched = kernels_->toneMap.launch(*context_, pixels, kernels_->groupSize);
     if (!launched)
         return std::unexpected(launched.error());

@@ -91,7 +91,7 @@ void ComputeTest::includesAreExpanded() {
 }
 
 void ComputeTest::compileErrorNamesFileAndLine() {
-    const auto program = buildProgram(*context_, "display.cl", "-D encodeSrgb=1+");
+    const auto program = buildProgram(*context_, "display.cl", "-D toByte=1+");
     QVERIFY(!program);
     QVERIFY(program.error().message.find("display.cl") != std::string::npos);
 }

@@ -52,6 +52,7 @@ Scene makeStarterScene() {
     ground.source.size = 10.0;
     ground.mesh = makePrimitive(ground.source.primitive, ground.source.size);
     ground.materials = {addMaterial(scene, floor)};
+    ground.transform.translation.y = -0.001; // models that stand on y = 0 do not share a plane with it
     addObject(scene, ground);
     addThreeLights(scene, {{-1, 0, -1}, {1, 2, 1}});
     scene.camera.target = {0.0, 0.5, 0.0};

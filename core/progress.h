@@ -4,8 +4,8 @@
 
 namespace prizma {
 
-/// Shared between a long piece of work and whoever waits for it: the work reports how far it is and stops soon
-/// after it was cancelled. Safe from any thread.
+/// Shared between a long piece of work and whoever waits for it: the work reports how far it is and stops
+/// soon after it was cancelled. Safe from any thread.
 class Progress {
   public:
     void set(double fraction) { fraction_.store(fraction, std::memory_order_relaxed); }

@@ -36,8 +36,8 @@ nlohmann::ordered_json toJson(const DeviceInfo& d) {
 
 void print(const DeviceInfo& d, bool isDefault) {
     fmt::print("{}{}\n", d.id, isDefault ? "  (default)" : (d.usable ? "" : "  (not usable)"));
-    fmt::print("    {}, {} compute units at {} MHz, {} memory, {} a buffer\n", describe(d.type), d.computeUnits,
-               d.clockMHz, gibibytes(d.globalMemory), gibibytes(d.maxAllocation));
+    fmt::print("    {}, {} compute units at {} MHz, {} memory, {} a buffer\n", describe(d.type),
+               d.computeUnits, d.clockMHz, gibibytes(d.globalMemory), gibibytes(d.maxAllocation));
     fmt::print("    {}, driver {}\n", d.openclVersion, d.driverVersion);
 }
 
@@ -52,7 +52,8 @@ void listAll(bool json) {
         return;
     }
     if (devices.empty()) {
-        fmt::print(stderr, "prizma-render: there is no OpenCL device; \"apt install pocl-opencl-icd\" adds one.\n");
+        fmt::print(stderr,
+                   "prizma-render: there is no OpenCL device; \"apt install pocl-opencl-icd\" adds one.\n");
         throw CLI::RuntimeError(1);
     }
     for (std::size_t i = 0; i < devices.size(); ++i)

@@ -7,8 +7,8 @@
 
 namespace prizma {
 
-/// A project, or a bare model with lights and a camera that present it in a picture of this aspect (width / height).
-/// Warnings go to standard error.
+/// A project, or a bare model with lights and a camera that present it in a picture of this aspect (width /
+/// height). Warnings go to standard error.
 Result<Scene> loadScene(const std::string& file, const std::string& upAxis, double aspect);
 
 /// Says an error on standard error in one line and ends the program with exit code 1.

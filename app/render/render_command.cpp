@@ -56,33 +56,36 @@ Result<void> savePicture(const OfflinePicture& picture, const std::string& file)
 
 nlohmann::ordered_json toJson(const OfflinePicture& p, const std::string& device, const std::string& file) {
     const OfflineTimes& t = p.times;
-    return {{"file", file},
-            {"device", device},
-            {"width", p.width},
-            {"height", p.height},
-            {"samples", p.samples},
-            {"nonFinitePixels", p.nonFinitePixels},
-            {"error", p.error},
-            {"milliseconds",
-             {{"total", t.total},
-              {"compile", t.compile},
-              {"build", t.build},
-              {"upload", t.upload},
-              {"refit", t.refit},
-              {"trace", t.trace},
-              {"shade", t.shade}}},
-            {"rays", {{"camera", p.rays.camera}, {"shadow", p.rays.shadow}, {"secondary", p.rays.secondary}}}};
+    return {
+        {"file", file},
+        {"device", device},
+        {"width", p.width},
+        {"height", p.height},
+        {"samples", p.samples},
+        {"nonFinitePixels", p.nonFinitePixels},
+        {"error", p.error},
+        {"milliseconds",
+         {{"total", t.total},
+          {"compile", t.compile},
+          {"build", t.build},
+          {"upload", t.upload},
+          {"refit", t.refit},
+          {"trace", t.trace},
+          {"shade", t.shade}}},
+        {"rays", {{"camera", p.rays.camera}, {"shadow", p.rays.shadow}, {"secondary", p.rays.secondary}}}};
 }
 
 void printStatistics(const OfflinePicture& p, const std::string& device) {
     const OfflineTimes& t = p.times;
     const double seconds = (t.trace + t.shade) / 1000.0;
-    fmt::print("{}: {} x {} pixels, {} samples, estimated error {:.2g}\n", device, p.width, p.height, p.samples,
-               p.error);
-    fmt::print("{:.0f} ms: compile {:.0f}, build {:.0f}, upload {:.0f}, refit {:.0f}, trace {:.0f}, shade {:.0f}\n",
-               t.total, t.compile, t.build, t.upload, t.refit, t.trace, t.shade);
-    fmt::print("{} camera, {} shadow and {} secondary rays: {:.1f} million a second\n", p.rays.camera, p.rays.shadow,
-               p.rays.secondary, static_cast<double>(p.rays.total()) / std::max(seconds, 1e-9) * 1e-6);
+    fmt::print("{}: {} x {} pixels, {} samples, estimated error {:.2g}\n", device, p.width, p.height,
+               p.samples, p.error);
+    fmt::print(
+        "{:.0f} ms: compile {:.0f}, build {:.0f}, upload {:.0f}, refit {:.0f}, trace {:.0f}, shade {:.0f}\n",
+        t.total, t.compile, t.build, t.upload, t.refit, t.trace, t.shade);
+    fmt::print("{} camera, {} shadow and {} secondary rays: {:.1f} million a second\n", p.rays.camera,
+               p.rays.shadow, p.rays.secondary,
+               static_cast<double>(p.rays.total()) / std::max(seconds, 1e-9) * 1e-6);
 }
 
 Result<Scene> prepareScene(const RenderArguments& arguments) {
@@ -101,8 +104,8 @@ Result<Scene> prepareScene(const RenderArguments& arguments) {
     return scene;
 }
 
-void renderOne(Renderer& renderer, const Scene& scene, const RenderArguments& arguments, const std::string& output,
-               double compileMilliseconds) {
+void renderOne(Renderer& renderer, const Scene& scene, const RenderArguments& arguments,
+               const std::string& output, double compileMilliseconds) {
     auto picture = renderOffline(renderer, scene, arguments.options);
     if (!picture)
         fail(picture.error());
@@ -154,15 +157,20 @@ void addRenderCommand(CLI::App& app) {
     auto a = std::make_shared<RenderArguments>();
     command->add_option("file", a->file, "A .prizma project or a model")->required();
     command->add_option("-o,--output", a->output, "Picture to write: .png or .exr")->required();
-    command->add_option("--width", a->options.width, "Pixels across")->check(CLI::Range(1, 32768))->capture_default_str();
-    command->add_option("--height", a->options.height, "Pixels down")->check(CLI::Range(1, 32768))->capture_default_str();
+    command->add_option("--width", a->options.width, "Pixels across")
+        ->check(CLI::Range(1, 32768))
+        ->capture_default_str();
+    command->add_option("--height", a->options.height, "Pixels down")
+        ->check(CLI::Range(1, 32768))
+        ->capture_default_str();
     command->add_option("--spp", a->options.samples, "Samples a pixel")->check(CLI::Range(1, 1000000));
     command->add_option("--time-limit", a->options.timeLimit, "Stop after this many seconds")
         ->check(CLI::PositiveNumber);
     command->add_option("--max-error", a->options.maxError, "Stop at this estimated error (relMSE)")
         ->check(CLI::PositiveNumber);
     CLI::Option* frame = command->add_option("--frame", a->frame, "Frame of the timeline");
-    command->add_option("--frames", a->frames, "Frames FIRST-LAST; #### in the output's name becomes the number")
+    command
+        ->add_option("--frames", a->frames, "Frames FIRST-LAST; #### in the output's name becomes the number")
         ->excludes(frame);
     command->add_option("--shader", a->shader, "whitted, normals, texcoords, depth or cost");
     command->add_option("--device", a->device, "OpenCL device, as \"devices\" lists it");

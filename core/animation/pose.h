@@ -15,8 +15,9 @@ using Pose = std::vector<BonePose>;
 
 Pose bindPose(const Skeleton& skeleton);
 
-/// The pose `seconds` after the clip's start: slerp and lerp between its keys. A looping clip repeats without a pop (the
-/// last key blends into the first); another one holds its last key. Bones without a track keep the bind pose.
+/// The pose `seconds` after the clip's start: slerp and lerp between its keys. A looping clip repeats without
+/// a pop (the last key blends into the first); another one holds its last key. Bones without a track keep the
+/// bind pose.
 Pose evaluateClip(const Skeleton& skeleton, const Clip& clip, double seconds);
 
 /// For each bone, the matrix that takes a vertex from the bind pose to `pose`, both in object space: what the

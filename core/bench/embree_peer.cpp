@@ -58,7 +58,7 @@ RTCRay embreeRay(const DeviceRay& ray) {
 }
 
 class Peer final : public EmbreePeer {
-public:
+  public:
     Peer(const Scene& scene, const glm::dvec3& origin, bool robust)
         : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_.get())) {
         rtcSetSceneFlags(scene_.get(), robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
@@ -85,7 +85,7 @@ public:
 
     const std::vector<DeviceHit>& hits() const override { return hits_; }
 
-private:
+  private:
     static RTCIntersectContext context(const EmbreeCall& call) {
         RTCIntersectContext context;
         rtcInitIntersectContext(&context);

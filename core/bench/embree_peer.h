@@ -19,7 +19,7 @@ struct EmbreeCall {
 
 /// Embree over the same triangles, to compare with. All cores, through TBB.
 class EmbreePeer {
-public:
+  public:
     /// The visible objects, relative to `origin`, in single precision, as the device has them. Null if this
     /// program was built without Embree.
     static std::unique_ptr<EmbreePeer> create(const Scene& scene, const glm::dvec3& origin, bool robust);

@@ -32,7 +32,7 @@ bool endsElsewhere(const DeviceHit& ours, const DeviceHit& theirs, bool anyHit) 
 
 /// The reference tracer, answering as the kernels do.
 class Judge {
-public:
+  public:
     Judge(const Scene& scene, const reference::Tracer& tracer, const glm::dvec3& origin)
         : tracer_(tracer), origin_(origin) {
         std::uint32_t instances = 0;
@@ -73,14 +73,14 @@ public:
         return endsElsewhere(hit, this->hit(ray, anyHit), anyHit);
     }
 
-private:
+  private:
     const reference::Tracer& tracer_;
     glm::dvec3 origin_;
     std::vector<std::uint32_t> instanceOf_; ///< By object.
 };
 
 class TraceBench {
-public:
+  public:
     TraceBench(const Scene& scene, const TraceBenchOptions& options, RayQuery query)
         : options_(options),
           query_(std::move(query)),
@@ -94,7 +94,7 @@ public:
 
     Result<TraceReport> run();
 
-private:
+  private:
     Result<TraceResult> measureSet(const RaySet& set);
     Result<void> compare(const RaySet& set, TraceResult& result);
 

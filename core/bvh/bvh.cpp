@@ -48,7 +48,7 @@ bool isUsable(const Bounds& box) {
 /// Fragments go back and forth between two arrays, from level to level. A range of them keeps its place, so
 /// that a leaf's range is also its range in `Bvh::primitives`.
 class Builder {
-public:
+  public:
     Builder(const BvhBuildOptions& options, Progress& progress)
         : options_(options), costs_(costsOf(options)), progress_(progress) {
         options_.maxLeafSize = std::max(options_.maxLeafSize, 1u);
@@ -60,7 +60,7 @@ public:
 
     Result<Bvh> build();
 
-private:
+  private:
     /// A node that is still to be made: fragments [first, first + count) of one of the arrays.
     struct Job {
         Box4 box;

@@ -17,13 +17,13 @@ constexpr float leafCost = 1.0f; ///< ... and a leaf, which is tested as a whole
 using Costs = std::array<float, maxWidth>;
 
 class Collapser {
-public:
+  public:
     Collapser(const Bvh& bvh, std::uint32_t width, std::uint32_t leafSize)
         : bvh_(bvh), width_(width), leafSize_(leafSize) {}
 
     CollapsedTree run();
 
-private:
+  private:
     void computeCosts();
     Costs costsOf(const BvhNode& node, float visit) const;
     void gather(std::uint32_t source, std::uint32_t slots);

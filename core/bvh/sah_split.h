@@ -27,7 +27,7 @@ struct alignas(32) Fragment {
     /// Half of the centroid: differences of halves cannot overflow.
     Float4 halfCentre() const { return low * 0.25f + high * 0.25f; }
 
-private:
+  private:
     /// Makes an index a normal number when read as a float: denormal ones cost some processors a hundred
     /// cycles a multiplication.
     static constexpr std::uint32_t indexBias = 0x40000000u;
@@ -37,7 +37,7 @@ inline constexpr std::uint32_t maxBins = 32;
 
 /// Assigns centroids to bins of equal width along each axis.
 class BinMapping {
-public:
+  public:
     /// `centres`: the box of the half centroids. Small nodes get fewer bins: they have less to gain from
     /// many.
     BinMapping(const Box4& centres, std::uint32_t primitiveCount);
@@ -53,7 +53,7 @@ public:
         return __builtin_convertvector((fragment.halfCentre() - offset_) * scale_, Int4);
     }
 
-private:
+  private:
     Float4 offset_;
     Float4 scale_;
     std::uint32_t bins_;

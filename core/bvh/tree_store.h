@@ -20,7 +20,7 @@ DeviceTreePtr buildTree(const Mesh& mesh, TreeLayout layout, Progress& progress)
 /// Bottom-level trees by mesh, built in the background, one after the other (each build uses all cores). Safe
 /// from any thread.
 class TreeStore {
-public:
+  public:
     /// `treeReady` is called on the building thread after each build.
     explicit TreeStore(TreeLayout layout, std::function<void()> treeReady = {});
     ~TreeStore();
@@ -41,7 +41,7 @@ public:
 
     bool isBuilding() const;
 
-private:
+  private:
     struct Entry {
         MeshPtr mesh;
         DeviceTreePtr tree;

@@ -7,8 +7,8 @@
 
 namespace prizma {
 
-/// One device buffer shared by many pieces of data of different lengths: first fit, neighbouring holes merge, grows
-/// by half. Kernels get the one buffer and each piece's first item.
+/// One device buffer shared by many pieces of data of different lengths: first fit, neighbouring holes merge,
+/// grows by half. Kernels get the one buffer and each piece's first item.
 template <class T>
 class Arena {
   public:
@@ -82,7 +82,7 @@ class Arena {
   private:
     std::string what_;
     Buffer<T> buffer_;
-    std::size_t end_ = 0;                     ///< Everything from here on is free.
+    std::size_t end_ = 0;                      ///< Everything from here on is free.
     std::map<std::size_t, std::size_t> holes_; ///< First free item -> how many, before `end_`.
 };
 

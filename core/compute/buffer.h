@@ -10,8 +10,8 @@
 
 namespace prizma {
 
-/// Device memory for items of type T. Grows, never shrinks; holds room for one item at least, so that it can always
-/// be passed to a kernel.
+/// Device memory for items of type T. Grows, never shrinks; holds room for one item at least, so that it can
+/// always be passed to a kernel.
 template <class T>
 class Buffer {
   public:
@@ -29,16 +29,18 @@ class Buffer {
     cl_mem get() const { return memory_.get(); }
     std::size_t capacity() const { return capacity_; } ///< In items.
 
-    /// Room for `count` items; what the first `kept` held survives. `what` names the content in error messages.
+    /// Room for `count` items; what the first `kept` held survives. `what` names the content in error
+    /// messages.
     Result<void> reserve(Context& context, std::size_t count, const std::string& what, std::size_t kept = 0) {
         count = std::max<std::size_t>(count, 1);
         if (memory_ && capacity_ >= count)
             return {};
         cl_int code = CL_SUCCESS;
-        ClMemory larger(clCreateBuffer(context.context(), CL_MEM_READ_WRITE, count * sizeof(T), nullptr, &code));
+        ClMemory larger(
+            clCreateBuffer(context.context(), CL_MEM_READ_WRITE, count * sizeof(T), nullptr, &code));
         if (code == CL_SUCCESS && memory_ && kept > 0)
-            code = clEnqueueCopyBuffer(context.queue(), memory_.get(), larger.get(), 0, 0, kept * sizeof(T), 0,
-                                       nullptr, nullptr);
+            code = clEnqueueCopyBuffer(context.queue(), memory_.get(), larger.get(), 0, 0, kept * sizeof(T),
+                                       0, nullptr, nullptr);
         if (auto ok = checkCl(code, "make room for the " + what); !ok)
             return ok;
         context_ = &context;
@@ -49,7 +51,8 @@ class Buffer {
     }
 
     /// Copies `items` to place `first`; there must be room. Returns when `items` may be changed again.
-    Result<void> write(Context& context, std::span<const T> items, std::size_t first, const std::string& what) {
+    Result<void> write(Context& context, std::span<const T> items, std::size_t first,
+                       const std::string& what) {
         if (items.empty())
             return {};
         return checkCl(clEnqueueWriteBuffer(context.queue(), memory_.get(), CL_TRUE, first * sizeof(T),
@@ -65,7 +68,8 @@ class Buffer {
     }
 
     /// Waits for the device, then copies from place `first` into `items`.
-    Result<void> read(Context& context, std::span<T> items, std::size_t first, const std::string& what) const {
+    Result<void> read(Context& context, std::span<T> items, std::size_t first,
+                      const std::string& what) const {
         if (items.empty())
             return {};
         return checkCl(clEnqueueReadBuffer(context.queue(), memory_.get(), CL_TRUE, first * sizeof(T),

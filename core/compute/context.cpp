@@ -12,8 +12,9 @@ Result<std::unique_ptr<Context>> Context::create(const std::string& deviceId) {
         infos.push_back(entry.info);
     const int index = chooseDevice(infos, deviceId);
     if (index < 0)
-        return failure("There is no OpenCL device. On Debian, \"apt install pocl-opencl-icd\" adds one that runs on "
-                       "every CPU.");
+        return failure(
+            "There is no OpenCL device. On Debian, \"apt install pocl-opencl-icd\" adds one that runs on "
+            "every CPU.");
     const ClDevice& chosen = entries[static_cast<std::size_t>(index)];
     if (!deviceId.empty() && chosen.info.id != deviceId)
         return failure("There is no usable OpenCL device called \"" + deviceId + "\".");
@@ -34,6 +35,8 @@ Result<std::unique_ptr<Context>> Context::create(const std::string& deviceId) {
     return made;
 }
 
-Result<void> Context::finish() { return checkCl(clFinish(queue_.get()), "finish the work on " + info_.name); }
+Result<void> Context::finish() {
+    return checkCl(clFinish(queue_.get()), "finish the work on " + info_.name);
+}
 
 } // namespace prizma

@@ -14,8 +14,8 @@ namespace prizma {
 /// One OpenCL device made ready: a context and an in-order queue that times every command.
 class Context {
   public:
-    /// On the device that `deviceId` names; an empty id takes the default device. Errors: no OpenCL device at all, no
-    /// device of that id, a driver that refuses.
+    /// On the device that `deviceId` names; an empty id takes the default device. Errors: no OpenCL device at
+    /// all, no device of that id, a driver that refuses.
     static Result<std::unique_ptr<Context>> create(const std::string& deviceId);
 
     const DeviceInfo& info() const { return info_; }

@@ -62,7 +62,8 @@ DeviceInfo readFacts(cl_platform_id platform, cl_device_id device) {
     info.maxAllocation = deviceValue<cl_ulong>(device, CL_DEVICE_MAX_MEM_ALLOC_SIZE);
     info.localMemory = deviceValue<cl_ulong>(device, CL_DEVICE_LOCAL_MEM_SIZE);
     info.maxWorkGroupSize = deviceValue<std::size_t>(device, CL_DEVICE_MAX_WORK_GROUP_SIZE);
-    info.floatVectorWidth = static_cast<int>(deviceValue<cl_uint>(device, CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT));
+    info.floatVectorWidth =
+        static_cast<int>(deviceValue<cl_uint>(device, CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT));
     info.doublePrecision = deviceText(device, CL_DEVICE_EXTENSIONS).find("cl_khr_fp64") != std::string::npos;
     info.usable = deviceValue<cl_bool>(device, CL_DEVICE_AVAILABLE) == CL_TRUE &&
                   deviceValue<cl_bool>(device, CL_DEVICE_COMPILER_AVAILABLE) == CL_TRUE;
@@ -126,10 +127,14 @@ int chooseDevice(const std::vector<DeviceInfo>& devices, const std::string& pref
 
 std::string describe(DeviceType type) {
     switch (type) {
-    case DeviceType::Cpu: return "CPU";
-    case DeviceType::Gpu: return "GPU";
-    case DeviceType::Accelerator: return "Accelerator";
-    case DeviceType::Other: break;
+    case DeviceType::Cpu:
+        return "CPU";
+    case DeviceType::Gpu:
+        return "GPU";
+    case DeviceType::Accelerator:
+        return "Accelerator";
+    case DeviceType::Other:
+        break;
     }
     return "Other";
 }

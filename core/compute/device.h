@@ -31,8 +31,8 @@ struct DeviceInfo {
 /// Every device of every platform; empty if there is no OpenCL at all. Never fails.
 std::vector<DeviceInfo> listDevices();
 
-/// Index into `devices` of the device to start with: the one whose id is `preferred`; else a PoCL CPU, else any
-/// usable one; -1 if there is none.
+/// Index into `devices` of the device to start with: the one whose id is `preferred`; else a PoCL CPU, else
+/// any usable one; -1 if there is none.
 int chooseDevice(const std::vector<DeviceInfo>& devices, const std::string& preferred);
 
 /// "CPU", "GPU", ...

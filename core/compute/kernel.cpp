@@ -23,7 +23,8 @@ Result<ClEvent> Kernel::launch(Context& context, std::size_t global, std::size_t
     cl_int code = code_;
     if (code == CL_SUCCESS && global > 0) {
         const std::size_t rounded = (global + local - 1) / local * local;
-        code = clEnqueueNDRangeKernel(context.queue(), kernel_.get(), 1, nullptr, &rounded, &local, 0, nullptr, &event);
+        code = clEnqueueNDRangeKernel(context.queue(), kernel_.get(), 1, nullptr, &rounded, &local, 0,
+                                      nullptr, &event);
     }
     if (auto ok = checkCl(code, "run the kernel " + name_); !ok)
         return std::unexpected(ok.error());
@@ -37,7 +38,8 @@ double milliseconds(const ClEvent& event) {
     cl_ulong end = 0;
     if (clGetEventProfilingInfo(event.get(), CL_PROFILING_COMMAND_START, sizeof(start), &start, nullptr) !=
             CL_SUCCESS ||
-        clGetEventProfilingInfo(event.get(), CL_PROFILING_COMMAND_END, sizeof(end), &end, nullptr) != CL_SUCCESS ||
+        clGetEventProfilingInfo(event.get(), CL_PROFILING_COMMAND_END, sizeof(end), &end, nullptr) !=
+            CL_SUCCESS ||
         end < start)
         return 0.0;
     return static_cast<double>(end - start) * 1e-6;

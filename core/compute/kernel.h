@@ -32,13 +32,11 @@ class Kernel {
         addRaw(sizeof(memory), &memory);
     }
     template <class T>
-        requires std::is_trivially_copyable_v<T>
-    void addArgument(const T& value) {
-        addRaw(sizeof(value), &value);
-    }
+    requires std::is_trivially_copyable_v<T>
+    void addArgument(const T& value) { addRaw(sizeof(value), &value); }
 
-    /// Queues `global` work items in groups of `local`; `global` is rounded up, so kernels check their index. Does not
-    /// wait. The event is for timing.
+    /// Queues `global` work items in groups of `local`; `global` is rounded up, so kernels check their index.
+    /// Does not wait. The event is for timing.
     Result<ClEvent> launch(Context& context, std::size_t global, std::size_t local);
 
   private:

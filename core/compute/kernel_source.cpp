@@ -8,8 +8,8 @@ namespace {
 
 constexpr std::string_view includeDirective = "#include \"";
 
-/// `open` holds the files that are being expanded, outermost first. Files guard themselves against being read twice,
-/// as an #include inside an #ifdef must not keep a later one from bringing in the text.
+/// `open` holds the files that are being expanded, outermost first. Files guard themselves against being read
+/// twice, as an #include inside an #ifdef must not keep a later one from bringing in the text.
 void expand(std::string_view name, std::vector<std::string_view>& open, std::string& out) {
     if (std::ranges::count(open, name) > 0)
         return;

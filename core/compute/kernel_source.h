@@ -5,7 +5,8 @@
 
 namespace prizma {
 
-/// The text of a file in kernels/ as built into the program ("ray_shader.cl"); empty if there is none of that name.
+/// The text of a file in kernels/ as built into the program ("ray_shader.cl"); empty if there is none of that
+/// name.
 std::string_view kernelFile(std::string_view name);
 
 /// The file with every #include "..." replaced by that file's text, with #line directives so that the

@@ -49,7 +49,8 @@ ClProgram loadCached(Context& context, const fs::path& path, const std::string& 
     cl_device_id device = context.device();
     cl_int status = CL_SUCCESS;
     cl_int code = CL_SUCCESS;
-    ClProgram program(clCreateProgramWithBinary(context.context(), 1, &device, &size, &bytes, &status, &code));
+    ClProgram program(
+        clCreateProgramWithBinary(context.context(), 1, &device, &size, &bytes, &status, &code));
     if (code != CL_SUCCESS || status != CL_SUCCESS ||
         clBuildProgram(program.get(), 1, &device, options.c_str(), nullptr, nullptr) != CL_SUCCESS)
         return {};
@@ -58,7 +59,8 @@ ClProgram loadCached(Context& context, const fs::path& path, const std::string& 
 
 void storeCached(const ClProgram& program, const fs::path& path) {
     std::size_t size = 0;
-    if (clGetProgramInfo(program.get(), CL_PROGRAM_BINARY_SIZES, sizeof(size), &size, nullptr) != CL_SUCCESS ||
+    if (clGetProgramInfo(program.get(), CL_PROGRAM_BINARY_SIZES, sizeof(size), &size, nullptr) !=
+            CL_SUCCESS ||
         size == 0)
         return;
     std::vector<unsigned char> binary(size);
@@ -104,8 +106,9 @@ Result<ClProgram> buildProgram(Context& context, const std::string& file, const 
     if (code == CL_SUCCESS)
         code = clBuildProgram(program.get(), 1, &device, options.c_str(), nullptr, nullptr);
     if (code != CL_SUCCESS)
-        return failure("The kernels in " + file + " do not compile on " + info.name + " (" + clErrorText(code) +
-                       "):\n" + (program ? buildLog(program.get(), device) : std::string()));
+        return failure("The kernels in " + file + " do not compile on " + info.name + " (" +
+                       clErrorText(code) + "):\n" +
+                       (program ? buildLog(program.get(), device) : std::string()));
     if (!folder.empty())
         storeCached(program, cached);
     return program;

@@ -9,12 +9,13 @@
 
 namespace prizma {
 
-/// Where built programs are kept: $XDG_CACHE_HOME/prizma/programs (or ~/.cache/...); empty if there is no such place.
+/// Where built programs are kept: $XDG_CACHE_HOME/prizma/programs (or ~/.cache/...); empty if there is no
+/// such place.
 std::filesystem::path programCacheFolder();
 
-/// Builds kernels/`file` with compiler `options`, or takes the binary from the cache, which is keyed by the expanded
-/// source, the options, the device and its driver. A cache entry that no longer loads is replaced. Errors hold the
-/// compiler's log.
+/// Builds kernels/`file` with compiler `options`, or takes the binary from the cache, which is keyed by the
+/// expanded source, the options, the device and its driver. A cache entry that no longer loads is replaced.
+/// Errors hold the compiler's log.
 Result<ClProgram> buildProgram(Context& context, const std::string& file, const std::string& options);
 
 } // namespace prizma

@@ -40,7 +40,7 @@ bool isFinite(const glm::vec3& v) {
 
 /// Gathers a scene's triangles and materials.
 class ModelBuilder {
-public:
+  public:
     ModelBuilder(const aiScene& scene, const std::string& file, const std::vector<std::string>& folders,
                  const ImportOptions& options)
         : scene_(scene),
@@ -88,7 +88,7 @@ public:
         return std::move(model_);
     }
 
-private:
+  private:
     void addMesh(const aiMesh& mesh, const aiNode& node, glm::dmat4 toObject) {
         std::uint32_t firstSource = noSourceVertex;
         if (skin_) {

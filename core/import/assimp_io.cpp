@@ -13,7 +13,7 @@ namespace prizma {
 namespace {
 
 class MemoryStream : public Assimp::IOStream {
-public:
+  public:
     explicit MemoryStream(std::string content) : content_(std::move(content)) {}
 
     std::size_t Read(void* buffer, std::size_t size, std::size_t count) override {
@@ -40,7 +40,7 @@ public:
     std::size_t FileSize() const override { return content_.size(); }
     void Flush() override {}
 
-private:
+  private:
     std::string content_;
     std::size_t position_ = 0;
 };

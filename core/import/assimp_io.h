@@ -14,7 +14,7 @@ namespace prizma {
 /// How assimp reads files: from memory, text brought to UTF-8, names looked up as people write them
 /// (backslashes, quotes, wrong case). Remembers what was asked for in vain.
 class AssimpFiles : public Assimp::IOSystem {
-public:
+  public:
     /// `model` is the file that is imported; names in it are relative to its folder.
     explicit AssimpFiles(const std::string& model);
 
@@ -29,7 +29,7 @@ public:
     /// Folders of the files that were read, the model's own first: where its textures may be.
     const std::vector<std::string>& folders() const { return folders_; }
 
-private:
+  private:
     std::vector<std::string> folders_;
     std::vector<std::string> missing_;
 };
@@ -37,12 +37,12 @@ private:
 /// Passes assimp's progress on as the part of it up to `share`, and breaks the import off by an exception,
 /// which assimp turns into an error, once it was cancelled.
 class AssimpProgress : public Assimp::ProgressHandler {
-public:
+  public:
     AssimpProgress(Progress& progress, double share) : progress_(progress), share_(share) {}
 
     bool Update(float fraction) override;
 
-private:
+  private:
     Progress& progress_;
     double share_;
 };

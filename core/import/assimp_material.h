@@ -13,7 +13,7 @@ namespace prizma {
 
 /// Turns the materials of one model file into ours, and reads each of their pictures once.
 class MaterialReader {
-public:
+  public:
     /// `file` is the model's absolute path; pictures are looked for in `folders`, and what is amiss with one
     /// is added to `warnings`.
     MaterialReader(const aiScene& scene, std::string file, std::vector<std::string> folders,
@@ -21,7 +21,7 @@ public:
 
     Material read(const aiMaterial& source);
 
-private:
+  private:
     Texture readTexture(const aiMaterial& source, aiTextureType type);
     Texture loadTexture(const std::string& name);
     Texture loadEmbedded(const aiTexture& source, const std::string& name);

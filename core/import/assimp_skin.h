@@ -16,7 +16,7 @@ glm::dmat4 toGlm(const aiMatrix4x4& m);
 
 /// The bones of an animated model: every node of it is one, so that rigid parts move with their node too.
 class AssimpSkin {
-public:
+  public:
     /// `toObject` turns the file's axes and units into ours.
     AssimpSkin(const aiScene& scene, const glm::dmat4& toObject);
 
@@ -35,7 +35,7 @@ public:
 
     std::vector<ClipPtr> clips(const aiScene& scene) const;
 
-private:
+  private:
     glm::dmat4 global(const aiNode& node) const;
 
     Skeleton skeleton_;

@@ -11,7 +11,7 @@ namespace prizma {
 
 /// What a project refers to, each read once however many objects and materials use it.
 class AssetCache {
-public:
+  public:
     explicit AssetCache(Progress& progress) : progress_(progress) {}
 
     const Result<ImportedModel>& model(const MeshSource& source);
@@ -20,7 +20,7 @@ public:
     /// Fills in `texture.image`; a fault is added to `warnings` the first time.
     void loadTexture(Texture& texture, Diagnostics& warnings);
 
-private:
+  private:
     Progress& progress_;
     std::map<std::tuple<std::string, UpAxis, double>, Result<ImportedModel>> models_;
     std::map<std::pair<PrimitiveType, double>, MeshPtr> primitives_;

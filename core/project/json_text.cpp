@@ -40,7 +40,7 @@ struct TooDeep : std::exception {};
 
 /// Follows the parser and notes the line of each value.
 class LineRecorder {
-public:
+  public:
     LineRecorder(std::map<std::string, int>& lines, const int& line) : lines_(lines), line_(line) {}
 
     void follow(Json::parse_event_t event, const Json& parsed) {
@@ -66,7 +66,7 @@ public:
         }
     }
 
-private:
+  private:
     struct Container {
         std::string path, key;
         int index;

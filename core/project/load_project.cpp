@@ -18,7 +18,7 @@ namespace {
 using Keys = std::set<std::string, std::less<>>;
 
 class Reader {
-public:
+  public:
     Reader(JsonText text, std::string file, Progress& progress)
         : text_(std::move(text)),
           file_(std::move(file)),
@@ -51,7 +51,7 @@ public:
         return std::move(project_);
     }
 
-private:
+  private:
     std::unexpected<Diagnostic> error(const std::string& message, const std::string& path) const {
         return failure(message, file_, text_.lineOf(path));
     }

@@ -13,7 +13,7 @@ namespace prizma {
 namespace {
 
 class Writer {
-public:
+  public:
     Writer(const Scene& scene, const UnknownKeys& unknown, std::string folder)
         : scene_(scene), unknown_(unknown), folder_(std::move(folder)) {}
 
@@ -31,7 +31,7 @@ public:
         return root;
     }
 
-private:
+  private:
     static void addUnknown(Json& json, const Json& unknown) {
         for (const auto& [key, value] : unknown.items())
             if (!json.contains(key))

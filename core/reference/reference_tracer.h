@@ -29,7 +29,7 @@ struct Hit {
 /// The truth that tests compare the kernels with: the visible objects' triangles in world space, in double
 /// precision, behind a tree of its own. Shares no code with kernels/ or core/bvh.
 class Tracer {
-public:
+  public:
     explicit Tracer(const Scene& scene);
 
     std::optional<Hit> closestHit(const Ray& ray) const;
@@ -38,7 +38,7 @@ public:
     /// The ray against the plane of one triangle, inside or not: to judge a hit that somebody else claims.
     std::optional<Hit> intersectTriangle(const Ray& ray, std::uint32_t object, std::uint32_t primitive) const;
 
-private:
+  private:
     struct Triangle {
         glm::dvec3 a, b, c;
         std::uint32_t object, primitive;

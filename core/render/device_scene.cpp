@@ -26,16 +26,26 @@ std::vector<float> boneRows(const std::vector<glm::mat4>& matrices) {
 Result<void> DeviceScene::run(const PlannedStage& stage, const Scene& scene, const glm::dvec3& anchor,
                               TreeStore& trees, DeviceState& state) {
     switch (stage.stage) {
-    case Stage::Geometry: return uploadGeometry(stage, scene, trees, state);
-    case Stage::Textures: return materials_.updateTextures(context_, scene);
-    case Stage::Materials: return materials_.updateMaterials(context_, scene);
-    case Stage::Lights: return materials_.updateLights(context_, scene, anchor);
-    case Stage::Poses: return pose(stage, scene, state);
-    case Stage::VertexShader: return shadeVertices(stage);
-    case Stage::TriangleShader: return shadeTriangles(stage);
-    case Stage::RefitTreeShader: return refit(stage);
-    case Stage::TopLevel: return instances_.update(context_, scene, geometry_, materials_, anchor);
-    default: return {};
+    case Stage::Geometry:
+        return uploadGeometry(stage, scene, trees, state);
+    case Stage::Textures:
+        return materials_.updateTextures(context_, scene);
+    case Stage::Materials:
+        return materials_.updateMaterials(context_, scene);
+    case Stage::Lights:
+        return materials_.updateLights(context_, scene, anchor);
+    case Stage::Poses:
+        return pose(stage, scene, state);
+    case Stage::VertexShader:
+        return shadeVertices(stage);
+    case Stage::TriangleShader:
+        return shadeTriangles(stage);
+    case Stage::RefitTreeShader:
+        return refit(stage);
+    case Stage::TopLevel:
+        return instances_.update(context_, scene, geometry_, materials_, anchor);
+    default:
+        return {};
     }
 }
 
@@ -44,13 +54,16 @@ void DeviceScene::removeAllBut(const std::set<Id>& objects) {
     std::erase_if(bones_, [&](const auto& entry) { return !objects.contains(entry.first); });
 }
 
-Result<void> DeviceScene::ensure() { return geometry_.ensure(context_); }
+Result<void> DeviceScene::ensure() {
+    return geometry_.ensure(context_);
+}
 
 void DeviceScene::setSceneArguments(Kernel& kernel) const {
     kernel.setArguments(instances_.topNodes(), instances_.count(), instances_.instances(), geometry_.nodes(),
                         geometry_.leaves(), geometry_.positions(), geometry_.normals(), geometry_.texCoords(),
-                        geometry_.triangles(), instances_.slots(), materials_.materials(), materials_.textures(),
-                        materials_.texels(), materials_.lights(), materials_.lightCount());
+                        geometry_.triangles(), instances_.slots(), materials_.materials(),
+                        materials_.textures(), materials_.texels(), materials_.lights(),
+                        materials_.lightCount());
 }
 
 Result<void> DeviceScene::uploadGeometry(const PlannedStage& stage, const Scene& scene, TreeStore& trees,
@@ -131,8 +144,8 @@ Result<void> DeviceScene::refit(const PlannedStage& stage) {
     std::size_t first = 0;
     for (const std::size_t end : levelEnds) {
         Kernel& kernel = kernels_.refitTreeShader;
-        kernel.setArguments(geometry_.nodes(), geometry_.leaves(), refitEntries_, static_cast<std::uint32_t>(first),
-                            static_cast<std::uint32_t>(end - first));
+        kernel.setArguments(geometry_.nodes(), geometry_.leaves(), refitEntries_,
+                            static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first));
         if (const auto launched = kernel.launch(context_, end - first, geometryGroupSize); !launched)
             return std::unexpected(launched.error());
         first = end;

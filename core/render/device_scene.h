@@ -16,8 +16,8 @@ class DeviceScene {
         : context_(context), kernels_(kernels), geometry_(layout), instances_(layout) {}
 
     /// Runs one stage of `plan` for `scene`. All trees that Geometry needs are in `trees`, ready.
-    Result<void> run(const PlannedStage& stage, const Scene& scene, const glm::dvec3& anchor, TreeStore& trees,
-                     DeviceState& state);
+    Result<void> run(const PlannedStage& stage, const Scene& scene, const glm::dvec3& anchor,
+                     TreeStore& trees, DeviceState& state);
 
     /// Releases the geometry of all other objects.
     void removeAllBut(const std::set<Id>& objects);
@@ -32,7 +32,8 @@ class DeviceScene {
     const MaterialStore& materials() const { return materials_; }
 
   private:
-    Result<void> uploadGeometry(const PlannedStage& stage, const Scene& scene, TreeStore& trees, DeviceState& state);
+    Result<void> uploadGeometry(const PlannedStage& stage, const Scene& scene, TreeStore& trees,
+                                DeviceState& state);
     Result<void> pose(const PlannedStage& stage, const Scene& scene, DeviceState& state);
     Result<void> shadeVertices(const PlannedStage& stage);
     Result<void> shadeTriangles(const PlannedStage& stage);

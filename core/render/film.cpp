@@ -10,8 +10,8 @@ double decodeSrgb(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-/// The linear value from which on each byte is used, as float bits, then for every bin of floats (their upper 16 bits)
-/// from the smallest to 1 the byte at the bin's start.
+/// The linear value from which on each byte is used, as float bits, then for every bin of floats (their upper
+/// 16 bits) from the smallest to 1 the byte at the bin's start.
 std::vector<std::uint32_t> srgbEncoding() {
     std::vector<float> limits(256, 0.0f);
     for (std::size_t byte = 1; byte < limits.size(); ++byte)
@@ -35,7 +35,8 @@ std::vector<std::uint32_t> srgbEncoding() {
 Result<void> Film::resize(Context& context, int newWidth, int newHeight) {
     width = newWidth;
     height = newHeight;
-    pixelCount = static_cast<std::uint32_t>((width + 7) / 8) * static_cast<std::uint32_t>((height + 7) / 8) * 64;
+    pixelCount =
+        static_cast<std::uint32_t>((width + 7) / 8) * static_cast<std::uint32_t>((height + 7) / 8) * 64;
     Result<void> ok;
     const auto reserve = [&](auto& buffer, std::size_t count) {
         if (ok)

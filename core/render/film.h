@@ -7,7 +7,8 @@
 
 namespace prizma {
 
-/// What a picture needs a pixel: ray, hit, sums, counters. Pixels lie in the order of kernels/pixel_order.clh.
+/// What a picture needs a pixel: ray, hit, sums, counters. Pixels lie in the order of
+/// kernels/pixel_order.clh.
 struct Film {
     int width = 0, height = 0;
     std::uint32_t pixelCount = 0; ///< Rounded up to whole tiles.
@@ -15,9 +16,9 @@ struct Film {
     Buffer<DeviceHit> hits;
     Buffer<float> sums, losses; ///< Four floats a pixel.
     Buffer<std::uint32_t> rayCounts;
-    Buffer<std::uint32_t> display; ///< Row by row.
+    Buffer<std::uint32_t> display;  ///< Row by row.
     Buffer<std::uint32_t> encoding; ///< How linear values become sRGB bytes (kernels/display.cl).
-    Buffer<float> mean;            ///< Row by row, four floats a pixel; only once asked for.
+    Buffer<float> mean;             ///< Row by row, four floats a pixel; only once asked for.
 
     Result<void> resize(Context& context, int newWidth, int newHeight);
 };

@@ -81,7 +81,8 @@ Result<void> GeometryStore::uploadMesh(Context& context, MeshPlace& place) {
     steps.run(place.nodeBase, [&] { return addNodes(context, *place.tree); });
     steps.run(place.leafBase, [&] { return addLeaves(context, *place.tree); });
     if (mesh.isSkinned()) {
-        steps.run(place.firstInfluenceBase, [&] { return firstInfluences_.add(context, mesh.firstInfluence); });
+        steps.run(place.firstInfluenceBase,
+                  [&] { return firstInfluences_.add(context, mesh.firstInfluence); });
         steps.run(place.influenceBase, [&] { return influences_.add(context, deviceInfluences(mesh)); });
     }
     return steps.result();
@@ -113,7 +114,8 @@ Result<void> GeometryStore::addPosed(Context& context, Id object, const MeshPlac
 
 Result<void> GeometryStore::add(Context& context, const Object& object, const DeviceTreePtr& tree) {
     const auto old = objects_.find(object.id);
-    if (old != objects_.end() && old->second->mesh == object.mesh && isPosed(object) == posed_.contains(object.id))
+    if (old != objects_.end() && old->second->mesh == object.mesh &&
+        isPosed(object) == posed_.contains(object.id))
         return {};
     remove(object.id);
     const auto place = addMesh(context, object.mesh, tree);

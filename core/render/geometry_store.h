@@ -30,8 +30,8 @@ struct ObjectPlace {
     const PosedPlace* posed = nullptr; ///< Null unless the object is posed on the device.
 };
 
-/// All meshes and bottom-level trees on the device. Objects with the same mesh share it; a posed object has a copy of
-/// what moves, beside the shared bind pose.
+/// All meshes and bottom-level trees on the device. Objects with the same mesh share it; a posed object has a
+/// copy of what moves, beside the shared bind pose.
 class GeometryStore {
   public:
     explicit GeometryStore(TreeLayout layout) : layout_(layout) {}

@@ -23,7 +23,8 @@ Bounds conservativeBox(const Bounds& box, const glm::dmat4& toAnchor) {
     DBounds result;
     double magnitude = glm::length(glm::dvec3(toAnchor[3]));
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec4 point{(corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
+        const glm::dvec4 point{(corner & 1) != 0 ? box.high.x : box.low.x,
+                               (corner & 2) != 0 ? box.high.y : box.low.y,
                                (corner & 4) != 0 ? box.high.z : box.low.z, 1.0};
         const glm::dvec3 moved(toAnchor * point);
         magnitude = std::max(magnitude, glm::length(moved));
@@ -44,7 +45,8 @@ void InstanceStore::append(const Object& object, const ObjectPlace& place, const
     if (!std::isfinite(determinant) || determinant == 0.0)
         return;
     DeviceInstance instance{};
-    if (!storeRows(instance.objectToWorld, toAnchor) || !storeRows(instance.worldToObject, glm::inverse(toAnchor)))
+    if (!storeRows(instance.objectToWorld, toAnchor) ||
+        !storeRows(instance.worldToObject, glm::inverse(toAnchor)))
         return;
     const Mesh& mesh = *place.mesh->mesh;
     instance.nodeBase = place.posed ? place.posed->nodeBase : place.mesh->nodeBase;
@@ -54,7 +56,8 @@ void InstanceStore::append(const Object& object, const ObjectPlace& place, const
     instance.slotBase = static_cast<std::uint32_t>(slotTable_.size());
     instance.hasTexCoords = mesh.texCoords.empty() ? 0u : 1u;
     for (std::size_t slot = 0; slot < mesh.slots.size(); ++slot)
-        slotTable_.push_back(materials.indexOf(slot < object.materials.size() ? object.materials[slot] : noId));
+        slotTable_.push_back(
+            materials.indexOf(slot < object.materials.size() ? object.materials[slot] : noId));
     instanceTable_.push_back(instance);
     boxes_.push_back(conservativeBox(place.posed ? place.posed->bounds : mesh.bounds, toAnchor));
     objects_.push_back(object.id);

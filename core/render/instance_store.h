@@ -12,8 +12,8 @@ class InstanceStore {
   public:
     explicit InstanceStore(TreeLayout layout) : layout_(layout) {}
 
-    /// Takes all drawn objects whose geometry is on the device. Objects that are squashed flat (a scale of zero) or
-    /// whose transform is no number are left out.
+    /// Takes all drawn objects whose geometry is on the device. Objects that are squashed flat (a scale of
+    /// zero) or whose transform is no number are left out.
     Result<void> update(Context& context, const Scene& scene, const GeometryStore& geometry,
                         const MaterialStore& materials, const glm::dvec3& anchor);
 

@@ -11,7 +11,8 @@ void InteractiveResolution::measured(double pixels, double milliseconds) {
     const double rate = pixels / milliseconds;
     // Quick to slow down, so that a sudden heavy view costs one late picture only; slow to speed up.
     const double share = rate < pixelsPerMillisecond_ ? 0.7 : 0.3;
-    pixelsPerMillisecond_ = pixelsPerMillisecond_ == 0.0 ? rate : std::lerp(pixelsPerMillisecond_, rate, share);
+    pixelsPerMillisecond_ =
+        pixelsPerMillisecond_ == 0.0 ? rate : std::lerp(pixelsPerMillisecond_, rate, share);
 }
 
 std::pair<int, int> InteractiveResolution::sizeFor(int width, int height) const {

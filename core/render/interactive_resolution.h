@@ -7,7 +7,8 @@ namespace prizma {
 /// Chooses how many pixels to draw while a gesture goes on, so that a pass keeps to its time.
 class InteractiveResolution {
   public:
-    static constexpr double targetMilliseconds = 28.0; ///< Leaves room for the screen at 30 pictures a second.
+    static constexpr double targetMilliseconds =
+        28.0; ///< Leaves room for the screen at 30 pictures a second.
     static constexpr int smallestSide = 64;
 
     /// A pass of `pixels` pixels took this long.

@@ -4,7 +4,9 @@
 
 namespace prizma {
 
-TreeLayout layoutFor(DeviceType type) { return type == DeviceType::Gpu ? TreeLayout::Binary2 : TreeLayout::Wide8; }
+TreeLayout layoutFor(DeviceType type) {
+    return type == DeviceType::Gpu ? TreeLayout::Binary2 : TreeLayout::Wide8;
+}
 
 Result<void> KernelSet::load(Context& context, const std::string& file,
                              std::initializer_list<std::pair<Kernel*, const char*>> kernels) {

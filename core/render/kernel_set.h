@@ -24,7 +24,7 @@ class KernelSet {
     /// The RayShader kernel for `type`, built on first use.
     Result<Kernel*> rayShader(Context& context, ShaderType type);
 
-    std::size_t groupSize = 64;  ///< Work items a group for kernels that run once a pixel or ray.
+    std::size_t groupSize = 64;   ///< Work items a group for kernels that run once a pixel or ray.
     std::size_t raysAPacket = 16; ///< Rays a work item of tracePacket; GPUs make packets of threads instead.
 
     /// Work items a group for tracePacket.

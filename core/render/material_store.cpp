@@ -31,7 +31,9 @@ ImagePtr makeCheckerboard() {
     return image;
 }
 
-std::size_t wordCount(const Image& image) { return image.bytes.empty() ? image.floats.size() : image.bytes.size() / 4; }
+std::size_t wordCount(const Image& image) {
+    return image.bytes.empty() ? image.floats.size() : image.bytes.size() / 4;
+}
 
 std::vector<std::uint32_t> wordsOf(const Image& image) {
     std::vector<std::uint32_t> words(wordCount(image));
@@ -58,8 +60,9 @@ glm::dvec3 meanOverSphere(const Image& image) {
                                     static_cast<std::size_t>(x));
             for (int c = 0; c < 3; ++c) {
                 const auto i = first + static_cast<std::size_t>(c);
-                sum[c] += weight * (image.bytes.empty() ? image.floats[i]
-                                                        : decodeSrgb(static_cast<float>(image.bytes[i]) / 255.0f));
+                sum[c] +=
+                    weight * (image.bytes.empty() ? image.floats[i]
+                                                  : decodeSrgb(static_cast<float>(image.bytes[i]) / 255.0f));
             }
             weights += weight;
         }
@@ -75,10 +78,13 @@ glm::dvec3 unitOrDown(const glm::dvec3& v) {
 double strengthOf(const Light& light) {
     switch (light.type) {
     case LightType::Point:
-    case LightType::Spot: return light.intensity;
-    case LightType::Directional: return light.irradiance;
+    case LightType::Spot:
+        return light.intensity;
+    case LightType::Directional:
+        return light.irradiance;
     case LightType::Rectangle:
-    case LightType::Sphere: return light.radiance;
+    case LightType::Sphere:
+        return light.radiance;
     }
     return 0.0;
 }
@@ -177,7 +183,8 @@ Result<void> MaterialStore::updateMaterials(Context& context, const Scene& scene
         out.transmission = static_cast<float>(material.transmission);
         out.ior = static_cast<float>(material.ior);
         out.baseColorTexture = indexOf(material.baseColorTexture);
-        out.normalTexture = material.normalTexture.image ? indexOf(material.normalTexture) : PRIZMA_NO_TEXTURE;
+        out.normalTexture =
+            material.normalTexture.image ? indexOf(material.normalTexture) : PRIZMA_NO_TEXTURE;
         indexOfMaterial_[material.id] = static_cast<std::uint32_t>(table.size());
         table.push_back(out);
     };

@@ -12,7 +12,8 @@ namespace prizma {
 /// Materials, textures and lights on the device.
 class MaterialStore {
   public:
-    /// Brings the pictures that materials and background use onto the device, each once, and drops the others.
+    /// Brings the pictures that materials and background use onto the device, each once, and drops the
+    /// others.
     Result<void> updateTextures(Context& context, const Scene& scene);
 
     /// The material table; textures are up to date.
@@ -27,7 +28,8 @@ class MaterialStore {
     /// Place of a texture in the table: PRIZMA_NO_TEXTURE for none, the checkerboard for one that is missing.
     std::uint32_t indexOf(const Texture& texture) const;
 
-    /// Mean radiance of the background's image over all directions, without its intensity; 0 without an image.
+    /// Mean radiance of the background's image over all directions, without its intensity; 0 without an
+    /// image.
     const glm::dvec3& backgroundImageMean() const { return backgroundImageMean_; }
 
     const Buffer<DeviceMaterial>& materials() const { return materials_; }
@@ -55,7 +57,7 @@ class MaterialStore {
     std::map<const Image*, Picture> pictures_;
     glm::dvec3 backgroundImageMean_{0.0};
     ImagePtr backgroundImage_; ///< The image that the mean is of.
-    ImagePtr checkerboard_; ///< Stands in for pictures that are missing.
+    ImagePtr checkerboard_;    ///< Stands in for pictures that are missing.
 };
 
 } // namespace prizma

@@ -14,9 +14,9 @@ double since(Clock::time_point start) {
 
 void addTimes(const RenderStatistics& statistics, OfflineTimes& times) {
     for (const StageStatistics& stage : statistics.stages) {
-        const bool refits = stage.stage == describe(Stage::Poses) || stage.stage == describe(Stage::VertexShader) ||
-                            stage.stage == describe(Stage::TriangleShader) ||
-                            stage.stage == describe(Stage::RefitTreeShader);
+        const bool refits =
+            stage.stage == describe(Stage::Poses) || stage.stage == describe(Stage::VertexShader) ||
+            stage.stage == describe(Stage::TriangleShader) || stage.stage == describe(Stage::RefitTreeShader);
         double& part = stage.stage == describe(Stage::GenerateCameraRays) ? times.trace
                        : stage.stage == describe(Stage::RayShader)        ? times.shade
                        : refits                                           ? times.refit

@@ -9,9 +9,9 @@ namespace prizma {
 struct OfflineOptions {
     int width = 1280;
     int height = 720;
-    int samples = 0;          ///< A pixel; 0 takes the scene's own limit.
-    double timeLimit = 0.0;   ///< Seconds after which the pass in progress is the last; 0 for none.
-    double maxError = 0.0;    ///< Stop once the estimated error is below this; 0 for never.
+    int samples = 0;        ///< A pixel; 0 takes the scene's own limit.
+    double timeLimit = 0.0; ///< Seconds after which the pass in progress is the last; 0 for none.
+    double maxError = 0.0;  ///< Stop once the estimated error is below this; 0 for never.
 };
 
 /// Milliseconds by what they went into.
@@ -23,8 +23,9 @@ struct OfflinePicture {
     int width = 0, height = 0, samples = 0;
     std::vector<float> radiance;       ///< Linear RGBA, top row first; alpha is coverage.
     std::vector<std::uint8_t> display; ///< Tone mapped sRGB RGBA.
-    /// Estimated relMSE (mean of squared error over squared radiance + 0.01): the difference between the picture and the
-    /// one of half as many samples, whose square has the variance of the picture as its mean. 0 for one sample.
+    /// Estimated relMSE (mean of squared error over squared radiance + 0.01): the difference between the
+    /// picture and the one of half as many samples, whose square has the variance of the picture as its mean.
+    /// 0 for one sample.
     double error = 0.0;
     std::uint64_t nonFinitePixels = 0;
     OfflineTimes times;

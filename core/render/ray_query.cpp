@@ -16,7 +16,8 @@ RayQuery::RayQuery(RayQuery&&) noexcept = default;
 RayQuery& RayQuery::operator=(RayQuery&&) noexcept = default;
 RayQuery::~RayQuery() = default;
 
-Result<RayQuery> RayQuery::create(const Scene& scene, const std::string& deviceId, std::optional<TreeLayout> layout) {
+Result<RayQuery> RayQuery::create(const Scene& scene, const std::string& deviceId,
+                                  std::optional<TreeLayout> layout) {
     RendererOptions options;
     options.deviceId = deviceId;
     options.layout = layout;
@@ -33,9 +34,13 @@ Result<RayQuery> RayQuery::create(const Scene& scene, const std::string& deviceI
     return RayQuery(std::move(state));
 }
 
-glm::dvec3 RayQuery::origin() const { return state_->renderer->anchor(); }
+glm::dvec3 RayQuery::origin() const {
+    return state_->renderer->anchor();
+}
 
-std::string RayQuery::deviceName() const { return state_->renderer->device().name; }
+std::string RayQuery::deviceName() const {
+    return state_->renderer->device().name;
+}
 
 Result<void> RayQuery::setRays(std::span<const DeviceRay> rays) {
     Context& context = state_->renderer->context();
@@ -59,7 +64,8 @@ Result<double> RayQuery::trace(RayQueryMode mode) {
     kernel.addArgument(state_->hits);
     kernel.addArgument(0u);
     kernel.addArgument(count);
-    const auto launched = kernel.launch(context, items, packets ? kernels.packetGroupSize() : kernels.groupSize);
+    const auto launched =
+        kernel.launch(context, items, packets ? kernels.packetGroupSize() : kernels.groupSize);
     if (!launched)
         return std::unexpected(launched.error());
     if (auto ok = context.finish(); !ok)

@@ -19,11 +19,12 @@ enum class RayQueryMode {
 };
 
 /// The tracing kernels by themselves: any rays against a scene, for tests, benchmarks and picking.
-/// Rays and hits are in world space relative to `origin()`; Hit::instance is the index of the object among the
-/// visible objects that have a mesh.
+/// Rays and hits are in world space relative to `origin()`; Hit::instance is the index of the object among
+/// the visible objects that have a mesh.
 class RayQuery {
   public:
-    /// `layout`: nothing lets the device's kind choose. Errors: no such device, kernels that do not build, no memory.
+    /// `layout`: nothing lets the device's kind choose. Errors: no such device, kernels that do not build, no
+    /// memory.
     static Result<RayQuery> create(const Scene& scene, const std::string& deviceId = {},
                                    std::optional<TreeLayout> layout = std::nullopt);
     RayQuery(RayQuery&&) noexcept;

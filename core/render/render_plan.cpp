@@ -27,14 +27,16 @@ class PlanBuilder {
         std::vector<PlannedStage> list;
         for (auto& [stage, planned] : stages_) {
             std::sort(planned.objects.begin(), planned.objects.end());
-            planned.objects.erase(std::unique(planned.objects.begin(), planned.objects.end()), planned.objects.end());
+            planned.objects.erase(std::unique(planned.objects.begin(), planned.objects.end()),
+                                  planned.objects.end());
             list.push_back(std::move(planned));
         }
         return list;
     }
 
   private:
-    std::map<Stage, PlannedStage> stages_; ///< In the order of the enumeration, which is the order they run in.
+    std::map<Stage, PlannedStage>
+        stages_; ///< In the order of the enumeration, which is the order they run in.
     bool restarts_ = false;
 };
 
@@ -62,13 +64,15 @@ void planPoses(const DeviceState& held, const Scene& next, const SceneDiff& chan
         if (!isDrawn(object) || !isPosed(object))
             continue;
         const auto pose = held.poses.find(object.id);
-        const bool fresh = pose == held.poses.end() || std::ranges::count(changes.meshesChanged, object.id) > 0;
+        const bool fresh =
+            pose == held.poses.end() || std::ranges::count(changes.meshesChanged, object.id) > 0;
         if (fresh || pose->second != poseKeyOf(object, next.timeline))
             moving.push_back(object.id);
     }
     if (moving.empty())
         return;
-    for (const Stage stage : {Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader})
+    for (const Stage stage :
+         {Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader})
         plan.need(stage, changes.time ? "time changed" : "pose changed", moving);
     plan.need(Stage::TopLevel, "pose changed");
     plan.restart("pose changed");
@@ -131,18 +135,30 @@ void planEverything(const Scene& next, PlanBuilder& plan) {
 
 std::string describe(Stage stage) {
     switch (stage) {
-    case Stage::Geometry: return "Geometry";
-    case Stage::Textures: return "Textures";
-    case Stage::Materials: return "Materials";
-    case Stage::Lights: return "Lights";
-    case Stage::Poses: return "Poses";
-    case Stage::VertexShader: return "VertexShader";
-    case Stage::TriangleShader: return "TriangleShader";
-    case Stage::RefitTreeShader: return "RefitTreeShader";
-    case Stage::TopLevel: return "Top level";
-    case Stage::GenerateCameraRays: return "GenerateCameraRays";
-    case Stage::RayShader: return "RayShader";
-    case Stage::Display: return "Display";
+    case Stage::Geometry:
+        return "Geometry";
+    case Stage::Textures:
+        return "Textures";
+    case Stage::Materials:
+        return "Materials";
+    case Stage::Lights:
+        return "Lights";
+    case Stage::Poses:
+        return "Poses";
+    case Stage::VertexShader:
+        return "VertexShader";
+    case Stage::TriangleShader:
+        return "TriangleShader";
+    case Stage::RefitTreeShader:
+        return "RefitTreeShader";
+    case Stage::TopLevel:
+        return "Top level";
+    case Stage::GenerateCameraRays:
+        return "GenerateCameraRays";
+    case Stage::RayShader:
+        return "RayShader";
+    case Stage::Display:
+        return "Display";
     }
     return {};
 }
@@ -153,9 +169,13 @@ const PlannedStage* RenderPlan::find(Stage stage) const {
     return found == stages.end() ? nullptr : &*found;
 }
 
-bool isDrawn(const Object& object) { return object.visible && object.mesh; }
+bool isDrawn(const Object& object) {
+    return object.visible && object.mesh;
+}
 
-bool isPosed(const Object& object) { return object.dynamic && object.mesh && object.mesh->isSkinned(); }
+bool isPosed(const Object& object) {
+    return object.dynamic && object.mesh && object.mesh->isSkinned();
+}
 
 const Clip* playingClip(const Object& object) {
     for (const ClipPtr& clip : object.clips)

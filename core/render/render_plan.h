@@ -48,13 +48,14 @@ struct PoseKey {
 
 /// What the device holds.
 struct DeviceState {
-    std::optional<Scene> scene;     ///< What the buffers were last brought up to; nothing at first and after a fault.
-    std::set<Id> resident;          ///< Objects whose geometry is there.
-    std::map<Id, PoseKey> poses;    ///< Of the resident skinned Dynamic objects.
-    glm::dvec3 anchor{0.0};         ///< World position that everything is relative to.
-    int width = 0, height = 0;      ///< Of the picture.
-    int samples = 0;                ///< Whole samples that its pixels hold.
-    bool dropped = false;           ///< A pass was left half done: the picture is no use.
+    std::optional<Scene>
+        scene;             ///< What the buffers were last brought up to; nothing at first and after a fault.
+    std::set<Id> resident; ///< Objects whose geometry is there.
+    std::map<Id, PoseKey> poses; ///< Of the resident skinned Dynamic objects.
+    glm::dvec3 anchor{0.0};      ///< World position that everything is relative to.
+    int width = 0, height = 0;   ///< Of the picture.
+    int samples = 0;             ///< Whole samples that its pixels hold.
+    bool dropped = false;        ///< A pass was left half done: the picture is no use.
 };
 
 /// What has to be done next, and why. Without stages there is nothing to do: no kernel is launched.
@@ -83,9 +84,9 @@ PoseKey poseKeyOf(const Object& object, const Timeline& timeline);
 /// The clip an object plays, or null for the bind pose.
 const Clip* playingClip(const Object& object);
 
-/// Device coordinates are floats relative to an anchor near the camera. The anchor stays while the camera moves about
-/// its target (so that orbiting touches no buffer), and follows once it is more than four times as far from the
-/// camera as the target is.
+/// Device coordinates are floats relative to an anchor near the camera. The anchor stays while the camera
+/// moves about its target (so that orbiting touches no buffer), and follows once it is more than four times
+/// as far from the camera as the target is.
 glm::dvec3 chooseAnchor(const std::optional<glm::dvec3>& present, const Camera& camera);
 
 } // namespace prizma

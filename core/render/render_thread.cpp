@@ -24,8 +24,8 @@ constexpr auto shortestFrameTime = std::chrono::milliseconds(30);
 bool wantSamePass(const RenderRequest& a, const RenderRequest& b) {
     SceneDiff changes = diff(a.scene, b.scene);
     changes.samples = changes.exposure = false;
-    return changes.isEmpty() && a.width == b.width && a.height == b.height && a.interacting == b.interacting &&
-           a.paused == b.paused && a.resolutionScale == b.resolutionScale;
+    return changes.isEmpty() && a.width == b.width && a.height == b.height &&
+           a.interacting == b.interacting && a.paused == b.paused && a.resolutionScale == b.resolutionScale;
 }
 
 struct PickRequest {
@@ -85,8 +85,8 @@ class RenderThread::Worker {
     const RenderEvents events_;
     std::mutex mutex_;
     std::condition_variable_any changed_;
-    std::optional<RenderRequest> pending_;       ///< Not yet looked at.
-    std::optional<std::string> wantedDevice_;    ///< To change to.
+    std::optional<RenderRequest> pending_;    ///< Not yet looked at.
+    std::optional<std::string> wantedDevice_; ///< To change to.
     std::deque<PickRequest> picks_;
     bool treeReady_ = false;
 
@@ -95,9 +95,9 @@ class RenderThread::Worker {
     std::optional<RenderRequest> request_;
     InteractiveResolution interactiveResolution_;
     Clock::time_point lastShown_;
-    bool hasWork_ = false;    ///< More samples, or something changed.
-    bool complete_ = false;   ///< What is drawn lacks no object whose tree is still being built.
-    bool settled_ = false;    ///< The last frame said that nothing more comes.
+    bool hasWork_ = false;  ///< More samples, or something changed.
+    bool complete_ = false; ///< What is drawn lacks no object whose tree is still being built.
+    bool settled_ = false;  ///< The last frame said that nothing more comes.
     std::string activity_;
 
     std::jthread thread_; ///< Last: it uses everything above.
@@ -129,7 +129,8 @@ void RenderThread::Worker::run(const std::stop_token& stop) {
 void RenderThread::Worker::waitForWork(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, stop, [this] {
-        return hasWork_ || pending_ || wantedDevice_ || (renderer_ && request_ && !picks_.empty()) || treeReady_;
+        return hasWork_ || pending_ || wantedDevice_ || (renderer_ && request_ && !picks_.empty()) ||
+               treeReady_;
     });
     treeReady_ = false;
 }
@@ -249,8 +250,8 @@ bool RenderThread::Worker::finishPass(const std::stop_token& stop) {
         if (stop.stop_requested())
             return false;
         if (isStale() && !request_->interacting) {
-            // A pass at full resolution gives way to whatever is newer; one of a gesture is short and is shown, or
-            // a mouse that never rests would never see a picture.
+            // A pass at full resolution gives way to whatever is newer; one of a gesture is short and is
+            // shown, or a mouse that never rests would never see a picture.
             renderer_->drop();
             return true;
         }
@@ -291,9 +292,13 @@ RenderThread::RenderThread(RenderEvents events, std::string deviceId)
 
 RenderThread::~RenderThread() = default;
 
-void RenderThread::submit(RenderRequest request) { worker_->submit(std::move(request)); }
+void RenderThread::submit(RenderRequest request) {
+    worker_->submit(std::move(request));
+}
 
-void RenderThread::selectDevice(std::string deviceId) { worker_->selectDevice(std::move(deviceId)); }
+void RenderThread::selectDevice(std::string deviceId) {
+    worker_->selectDevice(std::move(deviceId));
+}
 
 void RenderThread::pick(double x, double y, std::function<void(Pick)> answer) {
     worker_->pick({x, y, std::move(answer)});

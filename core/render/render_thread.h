@@ -39,20 +39,20 @@ using FramePtr = std::shared_ptr<const Frame>;
 
 /// What the pointer is on.
 struct Pick {
-    Id object = noId; ///< noId: the background.
+    Id object = noId;         ///< noId: the background.
     glm::dvec3 position{0.0}; ///< Hit point in world space.
 };
 
 /// Called on the render thread: hand over and return at once.
 struct RenderEvents {
     std::function<void(FramePtr)> frame;
-    std::function<void(Diagnostic)> message;           ///< Something went wrong; rendering goes on if it can.
-    std::function<void(DeviceInfo)> deviceChanged;     ///< This device renders from now on.
-    std::function<void(std::string, bool)> activity;   ///< "Building kernels", true: started, false: done.
+    std::function<void(Diagnostic)> message;         ///< Something went wrong; rendering goes on if it can.
+    std::function<void(DeviceInfo)> deviceChanged;   ///< This device renders from now on.
+    std::function<void(std::string, bool)> activity; ///< "Building kernels", true: started, false: done.
 };
 
-/// Renders in a thread of its own. No call waits for the device: the latest request wins, a pass that is going on
-/// is dropped between two chunks of about 30 ms. Without a device it reports so and stays quiet.
+/// Renders in a thread of its own. No call waits for the device: the latest request wins, a pass that is
+/// going on is dropped between two chunks of about 30 ms. Without a device it reports so and stays quiet.
 class RenderThread {
   public:
     /// Starts on the device `deviceId` names, or on the default one.

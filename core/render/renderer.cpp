@@ -26,8 +26,7 @@ void store(float (&target)[3], const glm::dvec3& value) {
 } // namespace
 
 Renderer::Renderer(std::unique_ptr<Context> context, TreeLayout layout, std::function<void()> treeReady)
-    : context_(std::move(context)),
-      trees_(layout, std::move(treeReady)) {}
+    : context_(std::move(context)), trees_(layout, std::move(treeReady)) {}
 
 Renderer::~Renderer() = default;
 
@@ -161,8 +160,8 @@ DeviceShading Renderer::shadingOf(const Scene& scene) const {
     const Background& background = scene.background;
     const bool hasImage = background.image.isSet();
     store(shading.background, (hasImage ? glm::dvec3(1.0) : background.color) * background.intensity);
-    store(shading.ambient,
-          (hasImage ? deviceScene_->materials().backgroundImageMean() : background.color) * background.intensity);
+    store(shading.ambient, (hasImage ? deviceScene_->materials().backgroundImageMean() : background.color) *
+                               background.intensity);
     shading.backgroundTexture = deviceScene_->materials().indexOf(background.image);
     shading.maxDepth = scene.render.maxDepth;
     shading.sceneRadius = static_cast<float>(deviceScene_->instances().radius());
@@ -211,7 +210,8 @@ Result<bool> Renderer::step() {
     const std::uint32_t left = film_.pixelCount - nextPixel_;
     std::uint32_t count = firstChunk;
     if (pixelsPerMillisecond_ > 0.0)
-        count = static_cast<std::uint32_t>(std::clamp(pixelsPerMillisecond_ * chunkMilliseconds, 1024.0, 1e9));
+        count =
+            static_cast<std::uint32_t>(std::clamp(pixelsPerMillisecond_ * chunkMilliseconds, 1024.0, 1e9));
     count = std::min(left, (count + tilePixels - 1) / tilePixels * tilePixels);
     const auto start = Clock::now();
     if (auto ok = launchChunk(count); !ok) {
@@ -230,7 +230,9 @@ Result<bool> Renderer::step() {
     return true;
 }
 
-void Renderer::drop() { inPass_ = false; }
+void Renderer::drop() {
+    inPass_ = false;
+}
 
 Result<std::vector<std::uint8_t>> Renderer::display() {
     const auto pixels = static_cast<std::size_t>(film_.width) * static_cast<std::size_t>(film_.height);

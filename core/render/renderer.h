@@ -22,7 +22,8 @@ struct RendererOptions {
     std::function<void()> building;   ///< Before kernels are compiled.
 };
 
-/// Renders scenes on one device: plans, brings the device up to date, adds sample after sample. For one thread.
+/// Renders scenes on one device: plans, brings the device up to date, adds sample after sample. For one
+/// thread.
 class Renderer {
   public:
     static Result<std::unique_ptr<Renderer>> create(RendererOptions options);
@@ -30,8 +31,8 @@ class Renderer {
 
     const DeviceInfo& device() const { return context_->info(); }
 
-    /// The scene with what can be drawn now: meshes whose trees are still being built are taken out. The first call
-    /// for a mesh starts its build.
+    /// The scene with what can be drawn now: meshes whose trees are still being built are taken out. The
+    /// first call for a mesh starts its build.
     Scene drawable(Scene scene);
 
     /// Waits for the trees of all visible objects.
@@ -42,8 +43,8 @@ class Renderer {
     /// What it would take to come to the next sample of `scene`, which `drawable` gave.
     RenderPlan plan(const Scene& scene, int width, int height) const;
 
-    /// Brings the device up to the plan and starts its pass, if it has one. After an error the device's content counts
-    /// as lost and the next plan starts from nothing.
+    /// Brings the device up to the plan and starts its pass, if it has one. After an error the device's
+    /// content counts as lost and the next plan starts from nothing.
     Result<void> begin(const RenderPlan& plan, const Scene& scene, int width, int height);
 
     /// Works for about 30 ms on the pass. True: the pass is complete, or there was none.
@@ -62,7 +63,8 @@ class Renderer {
     /// Linear radiance and coverage, RGBA.
     Result<std::vector<float>> mean();
 
-    /// Of the last plan and pass. Counting rays costs a read of one number a pixel: only where `countRays` is set.
+    /// Of the last plan and pass. Counting rays costs a read of one number a pixel: only where `countRays` is
+    /// set.
     RenderStatistics statistics(bool countRays);
 
     /// What the centre of a pixel of a view shows; the scene is the one of the last `begin`.

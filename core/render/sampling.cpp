@@ -21,7 +21,9 @@ std::uint32_t sobolSecond(std::uint32_t index) {
 }
 
 /// To a float in [0, 1): the upper 24 bits, which a float holds exactly.
-float toUnit(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24f; }
+float toUnit(std::uint32_t bits) {
+    return static_cast<float>(bits >> 8) * 0x1p-24f;
+}
 
 } // namespace
 

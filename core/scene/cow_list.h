@@ -39,7 +39,9 @@ class CowList {
     /// True if both are the same list in memory: equal without a look at the items.
     bool shares(const CowList& other) const { return items_ == other.items_; }
 
-    friend bool operator==(const CowList& a, const CowList& b) { return a.shares(b) || a.items() == b.items(); }
+    friend bool operator==(const CowList& a, const CowList& b) {
+        return a.shares(b) || a.items() == b.items();
+    }
 
   private:
     std::shared_ptr<std::vector<T>> items_;

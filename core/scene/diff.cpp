@@ -71,7 +71,9 @@ bool texturesDiffer(const CowList<Material>& before, const CowList<Material>& af
 
 } // namespace
 
-bool SceneDiff::isEmpty() const { return *this == SceneDiff{}; }
+bool SceneDiff::isEmpty() const {
+    return *this == SceneDiff{};
+}
 
 SceneDiff diff(const Scene& before, const Scene& after) {
     SceneDiff changes;

@@ -20,8 +20,8 @@ struct Image {
 
 using ImagePtr = std::shared_ptr<const Image>;
 
-/// A material's or background's reference to a picture. A file that could not be read leaves `image` null while
-/// `file` is set: it is drawn as a magenta checkerboard, so that the lack is seen.
+/// A material's or background's reference to a picture. A file that could not be read leaves `image` null
+/// while `file` is set: it is drawn as a magenta checkerboard, so that the lack is seen.
 struct Texture {
     std::string file; ///< Absolute path, or empty for no texture.
     ImagePtr image;

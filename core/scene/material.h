@@ -11,7 +11,8 @@ namespace prizma {
 
 /// The glTF 2.0 metallic-roughness model with KHR_materials_specular, _transmission, _ior and
 /// _emissive_strength. Colours are linear. `specular` 0 and `metallic` 0 is pure Lambert; `metallic` 1 and
-/// `roughness` 0 with a white base colour is a perfect mirror; `transmission` 1 and `roughness` 0 is smooth glass.
+/// `roughness` 0 with a white base colour is a perfect mirror; `transmission` 1 and `roughness` 0 is smooth
+/// glass.
 struct Material {
     Id id = noId;
     std::string name;

@@ -6,7 +6,9 @@
 namespace prizma {
 namespace {
 
-bool isFinite(const glm::vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool isFinite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 std::string findSkinningFault(const Mesh& mesh) {
     if (!mesh.isSkinned())

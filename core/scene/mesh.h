@@ -23,7 +23,8 @@ struct Mesh {
     std::vector<std::string> slots;           ///< Names of the material slots; at least one.
 
     SkeletonPtr skeleton; ///< Null for a rigid mesh.
-    /// Influences of vertex i: influences[firstInfluence[i] .. firstInfluence[i + 1]). Both empty for a rigid mesh.
+    /// Influences of vertex i: influences[firstInfluence[i] .. firstInfluence[i + 1]). Both empty for a rigid
+    /// mesh.
     std::vector<std::uint32_t> firstInfluence;
     std::vector<BoneInfluence> influences;
 
@@ -34,8 +35,8 @@ struct Mesh {
 
 using MeshPtr = std::shared_ptr<const Mesh>;
 
-/// What is wrong with `mesh`, or an empty string: arrays of unequal length, indices out of range, values that are
-/// not finite. Every mesh that enters the scene has passed this.
+/// What is wrong with `mesh`, or an empty string: arrays of unequal length, indices out of range, values that
+/// are not finite. Every mesh that enters the scene has passed this.
 std::string findFault(const Mesh& mesh);
 
 /// Fills in `bounds`.

@@ -34,13 +34,14 @@ struct Object {
     Id id = noId;
     std::string name;
     MeshSource source;
-    MeshPtr mesh;                 ///< Null while it is being loaded, or if that failed.
+    MeshPtr mesh; ///< Null while it is being loaded, or if that failed.
     Transform transform;
-    std::vector<Id> materials;    ///< One a slot of the mesh.
+    std::vector<Id> materials; ///< One a slot of the mesh.
     bool visible = true;
-    bool dynamic = false;         ///< Its vertices move (thesis: Static or Dynamic).
+    bool dynamic = false; ///< Its vertices move (thesis: Static or Dynamic).
 
-    std::vector<std::string> clipFiles; ///< Absolute paths of the animation files brought in beside the model.
+    std::vector<std::string>
+        clipFiles; ///< Absolute paths of the animation files brought in beside the model.
     std::vector<ClipPtr> clips;
     std::string clip; ///< Name of the clip that plays; empty for the bind pose.
 

@@ -71,13 +71,20 @@ bool visitEntity(const Scene& scene, EntityRef entity, Visitor&& visitor) {
         return item != nullptr;
     };
     switch (entity.kind) {
-    case EntityKind::Object: return visitPointer(scene.findObject(entity.id));
-    case EntityKind::Light: return visitPointer(scene.findLight(entity.id));
-    case EntityKind::Material: return visitPointer(scene.findMaterial(entity.id));
-    case EntityKind::Camera: return visitPointer(&scene.camera);
-    case EntityKind::Background: return visitPointer(&scene.background);
-    case EntityKind::Timeline: return visitPointer(&scene.timeline);
-    case EntityKind::Render: return visitPointer(&scene.render);
+    case EntityKind::Object:
+        return visitPointer(scene.findObject(entity.id));
+    case EntityKind::Light:
+        return visitPointer(scene.findLight(entity.id));
+    case EntityKind::Material:
+        return visitPointer(scene.findMaterial(entity.id));
+    case EntityKind::Camera:
+        return visitPointer(&scene.camera);
+    case EntityKind::Background:
+        return visitPointer(&scene.background);
+    case EntityKind::Timeline:
+        return visitPointer(&scene.timeline);
+    case EntityKind::Render:
+        return visitPointer(&scene.render);
     }
     return false;
 }
@@ -89,15 +96,31 @@ T& editable(CowList<T>& list, Id id) {
     return *std::find_if(items.begin(), items.end(), [id](const T& item) { return item.id == id; });
 }
 
-Object& editable(Scene& scene, const Object& item) { return editable(scene.objects, item.id); }
-Light& editable(Scene& scene, const Light& item) { return editable(scene.lights, item.id); }
-Material& editable(Scene& scene, const Material& item) { return editable(scene.materials, item.id); }
-Camera& editable(Scene& scene, const Camera&) { return scene.camera; }
-Background& editable(Scene& scene, const Background&) { return scene.background; }
-Timeline& editable(Scene& scene, const Timeline&) { return scene.timeline; }
-RenderSettings& editable(Scene& scene, const RenderSettings&) { return scene.render; }
+Object& editable(Scene& scene, const Object& item) {
+    return editable(scene.objects, item.id);
+}
+Light& editable(Scene& scene, const Light& item) {
+    return editable(scene.lights, item.id);
+}
+Material& editable(Scene& scene, const Material& item) {
+    return editable(scene.materials, item.id);
+}
+Camera& editable(Scene& scene, const Camera&) {
+    return scene.camera;
+}
+Background& editable(Scene& scene, const Background&) {
+    return scene.background;
+}
+Timeline& editable(Scene& scene, const Timeline&) {
+    return scene.timeline;
+}
+RenderSettings& editable(Scene& scene, const RenderSettings&) {
+    return scene.render;
+}
 
-Diagnostic noSuchEntity() { return {Severity::Error, "it is no longer in the scene", {}, 0}; }
+Diagnostic noSuchEntity() {
+    return {Severity::Error, "it is no longer in the scene", {}, 0};
+}
 
 std::optional<double> parseNumber(std::string_view text) {
     double number = 0.0;
@@ -140,15 +163,18 @@ std::optional<PropertyValue> parseValue(PropertyKind kind, std::string_view text
     case PropertyKind::Integer:
         return n.size() == 1 && std::abs(n[0]) < 2e9 ? std::optional<PropertyValue>(static_cast<int>(n[0]))
                                                      : std::nullopt;
-    case PropertyKind::Number: return n.size() == 1 ? std::optional<PropertyValue>(n[0]) : std::nullopt;
+    case PropertyKind::Number:
+        return n.size() == 1 ? std::optional<PropertyValue>(n[0]) : std::nullopt;
     case PropertyKind::Vector2:
         return n.size() == 2 ? std::optional<PropertyValue>(glm::dvec2(n[0], n[1])) : std::nullopt;
     case PropertyKind::Vector3:
     case PropertyKind::Color:
         return n.size() == 3 ? std::optional<PropertyValue>(glm::dvec3(n[0], n[1], n[2])) : std::nullopt;
     case PropertyKind::Rotation:
-        return n.size() == 4 ? std::optional<PropertyValue>(glm::dquat(n[3], n[0], n[1], n[2])) : std::nullopt;
-    default: return std::nullopt;
+        return n.size() == 4 ? std::optional<PropertyValue>(glm::dquat(n[3], n[0], n[1], n[2]))
+                             : std::nullopt;
+    default:
+        return std::nullopt;
     }
 }
 
@@ -233,11 +259,16 @@ std::string displayName(const Scene& scene, EntityRef entity) {
             name = owner.name;
     });
     switch (entity.kind) {
-    case EntityKind::Camera: return "Camera";
-    case EntityKind::Background: return "Background";
-    case EntityKind::Timeline: return "Timeline";
-    case EntityKind::Render: return "Render settings";
-    default: return name;
+    case EntityKind::Camera:
+        return "Camera";
+    case EntityKind::Background:
+        return "Background";
+    case EntityKind::Timeline:
+        return "Timeline";
+    case EntityKind::Render:
+        return "Render settings";
+    default:
+        return name;
     }
 }
 

@@ -12,9 +12,21 @@
 namespace prizma {
 
 /// How a property is edited and written. Colours are linear RGB, rotations quaternions, choices their key.
-enum class PropertyKind { Boolean, Integer, Number, Text, Choice, Vector2, Vector3, Color, Rotation, Texture };
+enum class PropertyKind {
+    Boolean,
+    Integer,
+    Number,
+    Text,
+    Choice,
+    Vector2,
+    Vector3,
+    Color,
+    Rotation,
+    Texture
+};
 
-using PropertyValue = std::variant<bool, int, double, std::string, glm::dvec2, glm::dvec3, glm::dquat, Texture>;
+using PropertyValue =
+    std::variant<bool, int, double, std::string, glm::dvec2, glm::dvec3, glm::dquat, Texture>;
 
 /// One possible value of a choice: `key` in files and scripts, `label` on the screen.
 struct Choice {
@@ -37,7 +49,7 @@ struct Property {
     std::span<const Choice> choices = {};
     PropertyValue (*get)(const Owner&) = nullptr;
     void (*set)(Owner&, const PropertyValue&) = nullptr; ///< The value must have passed `checkValue`.
-    bool (*applies)(const Owner&) = nullptr;             ///< Null: always. E.g. a radius is for sphere lights only.
+    bool (*applies)(const Owner&) = nullptr; ///< Null: always. E.g. a radius is for sphere lights only.
 };
 
 template <class Owner>
@@ -68,8 +80,8 @@ struct PropertyInfo {
 /// All properties of an entity with their present values; empty if the scene has no such entity.
 std::vector<PropertyInfo> properties(const Scene& scene, EntityRef entity);
 
-/// Reads or writes one property. Errors: unknown entity or key, a value of the wrong type or that is not finite.
-/// Numbers outside of the range are clamped into it.
+/// Reads or writes one property. Errors: unknown entity or key, a value of the wrong type or that is not
+/// finite. Numbers outside of the range are clamped into it.
 Result<PropertyValue> getProperty(const Scene& scene, EntityRef entity, std::string_view key);
 Result<void> setProperty(Scene& scene, EntityRef entity, std::string_view key, const PropertyValue& value);
 

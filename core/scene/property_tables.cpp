@@ -5,8 +5,10 @@
 namespace prizma {
 namespace {
 
-template <class T> struct MemberTraits;
-template <class Owner, class Value> struct MemberTraits<Value Owner::*> {
+template <class T>
+struct MemberTraits;
+template <class Owner, class Value>
+struct MemberTraits<Value Owner::*> {
     using OwnerType = Owner;
     using ValueType = Value;
 };
@@ -14,7 +16,8 @@ template <class Owner, class Value> struct MemberTraits<Value Owner::*> {
 constexpr double unlimited = 1e9;
 
 /// Reads and writes `Owner::*member`; enumerations travel as their key.
-template <auto member> struct Access {
+template <auto member>
+struct Access {
     using Owner = typename MemberTraits<decltype(member)>::OwnerType;
     using Value = typename MemberTraits<decltype(member)>::ValueType;
 
@@ -48,7 +51,8 @@ struct Range {
     double step = 0.1;
 };
 
-template <class Owner> using Applies = bool (*)(const Owner&);
+template <class Owner>
+using Applies = bool (*)(const Owner&);
 
 /// A property stored in one member of its owner.
 template <auto member, class Owner = typename MemberTraits<decltype(member)>::OwnerType>
@@ -57,8 +61,9 @@ Property<Owner> property(Texts texts, PropertyKind kind, Range range = {}, Appli
     std::span<const Choice> choices;
     if constexpr (std::is_enum_v<Value>)
         choices = choicesOf<Value>();
-    return {texts.key,     texts.label, texts.help, kind,    range.unit,          range.minimum,
-            range.maximum, range.step,  choices,    &Access<member>::get, &Access<member>::set, applies};
+    return {texts.key,  texts.label,          texts.help,           kind,
+            range.unit, range.minimum,        range.maximum,        range.step,
+            choices,    &Access<member>::get, &Access<member>::set, applies};
 }
 
 /// A property stored in one component of an object's transform.
@@ -81,13 +86,19 @@ Property<Object> transformProperty(Texts texts, PropertyKind kind, Range range =
             nullptr};
 }
 
-bool hasClips(const Object& object) { return !object.clips.empty(); }
+bool hasClips(const Object& object) {
+    return !object.clips.empty();
+}
 
-template <LightType... types> bool isType(const Light& light) { return ((light.type == types) || ...); }
+template <LightType... types>
+bool isType(const Light& light) {
+    return ((light.type == types) || ...);
+}
 
 } // namespace
 
-template <> std::span<const Choice> choicesOf<LightType>() {
+template <>
+std::span<const Choice> choicesOf<LightType>() {
     static constexpr std::array<Choice, 5> choices{{{"point", "Point"},
                                                     {"spot", "Spot"},
                                                     {"directional", "Directional"},
@@ -96,7 +107,8 @@ template <> std::span<const Choice> choicesOf<LightType>() {
     return choices;
 }
 
-template <> std::span<const Choice> choicesOf<ShaderType>() {
+template <>
+std::span<const Choice> choicesOf<ShaderType>() {
     static constexpr std::array<Choice, 5> choices{{{"whitted", "Whitted"},
                                                     {"normals", "Normals"},
                                                     {"texcoords", "Texture coordinates"},
@@ -105,113 +117,139 @@ template <> std::span<const Choice> choicesOf<ShaderType>() {
     return choices;
 }
 
-template <> std::span<const Choice> choicesOf<PrimitiveType>() {
-    static constexpr std::array<Choice, 5> choices{
-        {{"plane", "Plane"}, {"cube", "Cube"}, {"sphere", "Sphere"}, {"cylinder", "Cylinder"}, {"torus", "Torus"}}};
+template <>
+std::span<const Choice> choicesOf<PrimitiveType>() {
+    static constexpr std::array<Choice, 5> choices{{{"plane", "Plane"},
+                                                    {"cube", "Cube"},
+                                                    {"sphere", "Sphere"},
+                                                    {"cylinder", "Cylinder"},
+                                                    {"torus", "Torus"}}};
     return choices;
 }
 
-template <> std::span<const Choice> choicesOf<UpAxis>() {
+template <>
+std::span<const Choice> choicesOf<UpAxis>() {
     static constexpr std::array<Choice, 2> choices{{{"y", "Y up"}, {"z", "Z up"}}};
     return choices;
 }
 
-template <> std::span<const Property<Object>> propertiesOf() {
+template <>
+std::span<const Property<Object>> propertiesOf() {
     static const std::array properties{
-        property<&Object::name>({"name", "Name", "What the object is called in the scene tree."}, PropertyKind::Text),
+        property<&Object::name>({"name", "Name", "What the object is called in the scene tree."},
+                                PropertyKind::Text),
         property<&Object::visible>({"visible", "Visible", "A hidden object is neither drawn nor animated."},
                                    PropertyKind::Boolean),
-        property<&Object::dynamic>({"dynamic", "Dynamic",
-                                    "Its vertices move: they are shaded and its tree is refitted when it changes."},
-                                   PropertyKind::Boolean),
-        transformProperty<&Transform::translation>({"translation", "Position", "Where the object's origin is."},
-                                                   PropertyKind::Vector3),
+        property<&Object::dynamic>(
+            {"dynamic", "Dynamic",
+             "Its vertices move: they are shaded and its tree is refitted when it changes."},
+            PropertyKind::Boolean),
+        transformProperty<&Transform::translation>(
+            {"translation", "Position", "Where the object's origin is."}, PropertyKind::Vector3),
         transformProperty<&Transform::rotation>({"rotation", "Rotation", "Turns about X, then Y, then Z."},
                                                 PropertyKind::Rotation, {"°", -360.0, 360.0, 5.0}),
-        transformProperty<&Transform::scale>({"scale", "Scale", "Size along each axis; 1 is the model's own."},
-                                             PropertyKind::Vector3),
+        transformProperty<&Transform::scale>(
+            {"scale", "Scale", "Size along each axis; 1 is the model's own."}, PropertyKind::Vector3),
         property<&Object::clip>({"clip", "Clip", "The animation that plays; empty for the bind pose."},
                                 PropertyKind::Text, {}, hasClips),
     };
     return properties;
 }
 
-template <> std::span<const Property<Light>> propertiesOf() {
+template <>
+std::span<const Property<Light>> propertiesOf() {
     using enum LightType;
     static const std::array properties{
-        property<&Light::name>({"name", "Name", "What the light is called in the scene tree."}, PropertyKind::Text),
-        property<&Light::enabled>({"enabled", "On", "A light that is off costs nothing."}, PropertyKind::Boolean),
+        property<&Light::name>({"name", "Name", "What the light is called in the scene tree."},
+                               PropertyKind::Text),
+        property<&Light::enabled>({"enabled", "On", "A light that is off costs nothing."},
+                                  PropertyKind::Boolean),
         property<&Light::type>({"type", "Type", "What kind of light it is."}, PropertyKind::Choice),
-        property<&Light::color>({"color", "Colour", "Multiplies the strength; linear RGB."}, PropertyKind::Color,
-                                {"", 0.0, unlimited}),
+        property<&Light::color>({"color", "Colour", "Multiplies the strength; linear RGB."},
+                                PropertyKind::Color, {"", 0.0, unlimited}),
         property<&Light::intensity>({"intensity", "Intensity", "Power sent into a unit of solid angle."},
                                     PropertyKind::Number, {"W/sr", 0.0, unlimited, 5.0}, isType<Point, Spot>),
-        property<&Light::irradiance>({"irradiance", "Irradiance", "Power on a unit of area that faces the light."},
-                                     PropertyKind::Number, {"W/m²", 0.0, unlimited, 0.1}, isType<Directional>),
-        property<&Light::radiance>({"radiance", "Radiance", "Power a unit of area sends into a unit of solid angle."},
-                                   PropertyKind::Number, {"W/m²sr", 0.0, unlimited, 0.5}, isType<Rectangle, Sphere>),
+        property<&Light::irradiance>(
+            {"irradiance", "Irradiance", "Power on a unit of area that faces the light."},
+            PropertyKind::Number, {"W/m²", 0.0, unlimited, 0.1}, isType<Directional>),
+        property<&Light::radiance>(
+            {"radiance", "Radiance", "Power a unit of area sends into a unit of solid angle."},
+            PropertyKind::Number, {"W/m²sr", 0.0, unlimited, 0.5}, isType<Rectangle, Sphere>),
         property<&Light::position>({"position", "Position", "Where the light is."}, PropertyKind::Vector3, {},
                                    isType<Point, Spot, Rectangle, Sphere>),
-        property<&Light::direction>({"direction", "Direction", "Where the light travels."}, PropertyKind::Vector3, {},
-                                    isType<Spot, Directional>),
-        property<&Light::innerAngle>({"innerAngle", "Inner angle", "Full intensity within this angle of the axis."},
-                                     PropertyKind::Number, {"°", 0.0, 90.0, 1.0}, isType<Spot>),
+        property<&Light::direction>({"direction", "Direction", "Where the light travels."},
+                                    PropertyKind::Vector3, {}, isType<Spot, Directional>),
+        property<&Light::innerAngle>(
+            {"innerAngle", "Inner angle", "Full intensity within this angle of the axis."},
+            PropertyKind::Number, {"°", 0.0, 90.0, 1.0}, isType<Spot>),
         property<&Light::outerAngle>({"outerAngle", "Outer angle", "No light beyond this angle of the axis."},
                                      PropertyKind::Number, {"°", 0.0, 90.0, 1.0}, isType<Spot>),
-        property<&Light::rotation>({"rotation", "Rotation", "Turns about X, then Y, then Z; unturned it shines down."},
-                                   PropertyKind::Rotation, {"°", -360.0, 360.0, 5.0}, isType<Rectangle>),
-        property<&Light::size>({"size", "Size", "Width and depth."}, PropertyKind::Vector2, {"", 0.0, unlimited},
-                               isType<Rectangle>),
-        property<&Light::radius>({"radius", "Radius", "Of the sphere."}, PropertyKind::Number, {"", 0.0, unlimited},
-                                 isType<Sphere>),
+        property<&Light::rotation>(
+            {"rotation", "Rotation", "Turns about X, then Y, then Z; unturned it shines down."},
+            PropertyKind::Rotation, {"°", -360.0, 360.0, 5.0}, isType<Rectangle>),
+        property<&Light::size>({"size", "Size", "Width and depth."}, PropertyKind::Vector2,
+                               {"", 0.0, unlimited}, isType<Rectangle>),
+        property<&Light::radius>({"radius", "Radius", "Of the sphere."}, PropertyKind::Number,
+                                 {"", 0.0, unlimited}, isType<Sphere>),
     };
     return properties;
 }
 
-template <> std::span<const Property<Material>> propertiesOf() {
+template <>
+std::span<const Property<Material>> propertiesOf() {
     constexpr Range fraction{"", 0.0, 1.0, 0.05};
     static const std::array properties{
         property<&Material::name>({"name", "Name", "What the material is called."}, PropertyKind::Text),
-        property<&Material::baseColor>({"baseColor", "Base colour", "Share of light that is reflected; linear RGB."},
-                                       PropertyKind::Color, fraction),
-        property<&Material::baseColorTexture>({"baseColorTexture", "Base texture", "Multiplies the base colour."},
-                                              PropertyKind::Texture),
-        property<&Material::alpha>({"alpha", "Alpha", "0 is a hole, 1 is solid."}, PropertyKind::Number, fraction),
+        property<&Material::baseColor>(
+            {"baseColor", "Base colour", "Share of light that is reflected; linear RGB."},
+            PropertyKind::Color, fraction),
+        property<&Material::baseColorTexture>(
+            {"baseColorTexture", "Base texture", "Multiplies the base colour."}, PropertyKind::Texture),
+        property<&Material::alpha>({"alpha", "Alpha", "0 is a hole, 1 is solid."}, PropertyKind::Number,
+                                   fraction),
         property<&Material::specular>({"specular", "Specular", "Strength of the reflection of a non-metal."},
                                       PropertyKind::Number, fraction),
-        property<&Material::metallic>({"metallic", "Metallic", "1 reflects in its base colour, as metals do."},
-                                      PropertyKind::Number, fraction),
-        property<&Material::roughness>({"roughness", "Roughness", "0 is polished, 1 is matt."}, PropertyKind::Number,
-                                       fraction),
-        property<&Material::transmission>({"transmission", "Transmission", "1 lets light through, as glass does."},
-                                          PropertyKind::Number, fraction),
+        property<&Material::metallic>(
+            {"metallic", "Metallic", "1 reflects in its base colour, as metals do."}, PropertyKind::Number,
+            fraction),
+        property<&Material::roughness>({"roughness", "Roughness", "0 is polished, 1 is matt."},
+                                       PropertyKind::Number, fraction),
+        property<&Material::transmission>(
+            {"transmission", "Transmission", "1 lets light through, as glass does."}, PropertyKind::Number,
+            fraction),
         property<&Material::ior>({"ior", "Refraction index", "1 air, 1.33 water, 1.5 glass, 2.42 diamond."},
                                  PropertyKind::Number, {"", 1.0, 4.0, 0.01}),
-        property<&Material::emission>({"emission", "Emission", "Light that the surface sends out; linear RGB."},
-                                      PropertyKind::Color, {"", 0.0, unlimited}),
-        property<&Material::emissionStrength>({"emissionStrength", "Emission strength", "Multiplies the emission."},
-                                              PropertyKind::Number, {"W/m²sr", 0.0, unlimited, 0.5}),
+        property<&Material::emission>(
+            {"emission", "Emission", "Light that the surface sends out; linear RGB."}, PropertyKind::Color,
+            {"", 0.0, unlimited}),
+        property<&Material::emissionStrength>(
+            {"emissionStrength", "Emission strength", "Multiplies the emission."}, PropertyKind::Number,
+            {"W/m²sr", 0.0, unlimited, 0.5}),
         property<&Material::normalTexture>({"normalTexture", "Normal map", "Bends the surface's normal."},
                                            PropertyKind::Texture),
     };
     return properties;
 }
 
-template <> std::span<const Property<Camera>> propertiesOf() {
+template <>
+std::span<const Property<Camera>> propertiesOf() {
     static const std::array properties{
         property<&Camera::position>({"position", "Position", "Where the camera is."}, PropertyKind::Vector3),
-        property<&Camera::target>({"target", "Target", "What it looks at and orbits."}, PropertyKind::Vector3),
-        property<&Camera::up>({"up", "Up", "The direction that is up in the picture."}, PropertyKind::Vector3),
+        property<&Camera::target>({"target", "Target", "What it looks at and orbits."},
+                                  PropertyKind::Vector3),
+        property<&Camera::up>({"up", "Up", "The direction that is up in the picture."},
+                              PropertyKind::Vector3),
         property<&Camera::fovY>({"fovY", "Field of view", "Vertical opening angle."}, PropertyKind::Number,
                                 {"°", 1.0, 170.0, 1.0}),
     };
     return properties;
 }
 
-template <> std::span<const Property<Background>> propertiesOf() {
+template <>
+std::span<const Property<Background>> propertiesOf() {
     static const std::array properties{
-        property<&Background::color>({"color", "Colour", "What rays that leave the scene see."}, PropertyKind::Color,
-                                     {"", 0.0, unlimited}),
+        property<&Background::color>({"color", "Colour", "What rays that leave the scene see."},
+                                     PropertyKind::Color, {"", 0.0, unlimited}),
         property<&Background::image>({"image", "Image", "An equirectangular picture around the scene."},
                                      PropertyKind::Texture),
         property<&Background::intensity>({"intensity", "Intensity", "Multiplies colour or image."},
@@ -220,24 +258,29 @@ template <> std::span<const Property<Background>> propertiesOf() {
     return properties;
 }
 
-template <> std::span<const Property<Timeline>> propertiesOf() {
+template <>
+std::span<const Property<Timeline>> propertiesOf() {
     static const std::array properties{
         property<&Timeline::fps>({"fps", "Frame rate", "Frames a second."}, PropertyKind::Number,
                                  {"1/s", 0.01, 1000.0, 1.0}),
-        property<&Timeline::start>({"start", "Start", "The first frame."}, PropertyKind::Integer, {"", -1e6, 1e6, 1.0}),
-        property<&Timeline::end>({"end", "End", "The last frame."}, PropertyKind::Integer, {"", -1e6, 1e6, 1.0}),
+        property<&Timeline::start>({"start", "Start", "The first frame."}, PropertyKind::Integer,
+                                   {"", -1e6, 1e6, 1.0}),
+        property<&Timeline::end>({"end", "End", "The last frame."}, PropertyKind::Integer,
+                                 {"", -1e6, 1e6, 1.0}),
         property<&Timeline::frame>({"frame", "Frame", "The frame that is shown."}, PropertyKind::Number,
                                    {"", -1e6, 1e6, 1.0}),
     };
     return properties;
 }
 
-template <> std::span<const Property<RenderSettings>> propertiesOf() {
+template <>
+std::span<const Property<RenderSettings>> propertiesOf() {
     static const std::array properties{
         property<&RenderSettings::shader>({"shader", "Shader", "What is drawn where a ray hits."},
                                           PropertyKind::Choice),
-        property<&RenderSettings::maxDepth>({"maxDepth", "Depth", "How often a ray may be reflected or refracted."},
-                                            PropertyKind::Integer, {"", 0.0, 6.0, 1.0}),
+        property<&RenderSettings::maxDepth>(
+            {"maxDepth", "Depth", "How often a ray may be reflected or refracted."}, PropertyKind::Integer,
+            {"", 0.0, 6.0, 1.0}),
         property<&RenderSettings::samples>({"samples", "Samples", "A pixel is done after this many."},
                                            PropertyKind::Integer, {"", 1.0, 1e6, 16.0}),
         property<&RenderSettings::exposure>({"exposure", "Exposure", "Brightness of the display."},

@@ -33,9 +33,15 @@ std::string stem(const std::string& name) {
 
 } // namespace
 
-const Object* Scene::findObject(Id id) const { return findById(objects, id); }
-const Light* Scene::findLight(Id id) const { return findById(lights, id); }
-const Material* Scene::findMaterial(Id id) const { return findById(materials, id); }
+const Object* Scene::findObject(Id id) const {
+    return findById(objects, id);
+}
+const Light* Scene::findLight(Id id) const {
+    return findById(lights, id);
+}
+const Material* Scene::findMaterial(Id id) const {
+    return findById(materials, id);
+}
 
 const Material* Scene::findMaterial(const std::string& name) const {
     const auto found =
@@ -43,9 +49,15 @@ const Material* Scene::findMaterial(const std::string& name) const {
     return found == materials.end() ? nullptr : &*found;
 }
 
-Id addObject(Scene& scene, Object item) { return addItem(scene, scene.objects, std::move(item)); }
-Id addLight(Scene& scene, Light item) { return addItem(scene, scene.lights, std::move(item)); }
-Id addMaterial(Scene& scene, Material item) { return addItem(scene, scene.materials, std::move(item)); }
+Id addObject(Scene& scene, Object item) {
+    return addItem(scene, scene.objects, std::move(item));
+}
+Id addLight(Scene& scene, Light item) {
+    return addItem(scene, scene.lights, std::move(item));
+}
+Id addMaterial(Scene& scene, Material item) {
+    return addItem(scene, scene.materials, std::move(item));
+}
 
 template <class T>
 std::string uniqueName(const CowList<T>& list, const std::string& wanted) {

@@ -4,8 +4,8 @@
 
 namespace prizma {
 
-/// The lights that an empty scene starts with and a bare model is shown in: a key, a fill and a rim light whose
-/// places and strengths fit `bounds`.
+/// The lights that an empty scene starts with and a bare model is shown in: a key, a fill and a rim light
+/// whose places and strengths fit `bounds`.
 void addThreeLights(Scene& scene, const DBounds& bounds);
 
 /// What "New" opens: three lights, a ground plane, a camera that looks at it.

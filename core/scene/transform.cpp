@@ -10,7 +10,8 @@ namespace prizma {
 glm::dmat4 Transform::matrix() const {
     const double length = glm::length(rotation);
     const glm::dquat unit = length > 0.0 ? rotation / length : glm::dquat(1.0, 0.0, 0.0, 0.0);
-    return glm::translate(glm::dmat4(1.0), translation) * glm::mat4_cast(unit) * glm::scale(glm::dmat4(1.0), scale);
+    return glm::translate(glm::dmat4(1.0), translation) * glm::mat4_cast(unit) *
+           glm::scale(glm::dmat4(1.0), scale);
 }
 
 glm::dvec3 eulerDegrees(const glm::dquat& rotation) {

@@ -5,7 +5,8 @@
 
 namespace prizma {
 
-/// Object space to world space: scale, then rotate, then translate. Double precision, because worlds are large.
+/// Object space to world space: scale, then rotate, then translate. Double precision, because worlds are
+/// large.
 struct Transform {
     glm::dvec3 translation{0.0};
     glm::dquat rotation{1.0, 0.0, 0.0, 0.0}; ///< (w, x, y, z) in GLM's constructor; normalised when used.

@@ -131,7 +131,7 @@ reference::Ray exactRay(const DeviceRay& ray, const glm::dvec3& anchor) {
 
 /// Compares hits with what the reference says and counts what differs.
 class Comparison {
-public:
+  public:
     Comparison(const Scene& scene, const glm::dvec3& anchor)
         : scene_(scene), anchor_(anchor), tracer_(scene) {
         for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
@@ -168,7 +168,7 @@ public:
     double largestError = 0.0; ///< Of t, as a share of what single precision allows.
     QString first;
 
-private:
+  private:
     /// How far t may be off: the error of a point, seen along the ray under its angle to the triangle.
     double tolerance(const reference::Ray& ray, const reference::Hit& hit) const {
         const double length = glm::length(ray.direction);
@@ -260,7 +260,7 @@ private:
 class TestKernelHits : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void agreesWithTheReference_data();
     void agreesWithTheReference();
 };

@@ -132,8 +132,8 @@ void RadianceTest::spotLightEndsAtItsAngle() {
 }
 
 void RadianceTest::glassInUniformSurroundingsIsInvisible() {
-    // Whatever glass does to directions, it neither adds nor takes energy; the branches that are cut off at the
-    // depth limit are the only loss.
+    // Whatever glass does to directions, it neither adds nor takes energy; the branches that are cut off at
+    // the depth limit are the only loss.
     Scene scene;
     Material glass;
     glass.name = "glass";
@@ -208,7 +208,8 @@ void RadianceTest::shadowFallsWhereItMust() {
     Scene scene = downwardScene(20.0);
     const Id material = addMaterial(scene, lambert(1.0));
     addObject(scene, primitiveObject(PrimitiveType::Plane, 100.0, material));
-    // A square of side 1 at height 1 under a light at height 2 casts a shadow of side 2, seen beside the square.
+    // A square of side 1 at height 1 under a light at height 2 casts a shadow of side 2, seen beside the
+    // square.
     Object square = primitiveObject(PrimitiveType::Plane, 1.0, material, {0, 1, 0});
     addObject(scene, square);
     Light light;
@@ -247,7 +248,8 @@ void RadianceTest::manySamplesLoseNothing() {
 void RadianceTest::textureIsTheRightWayUp() {
     auto image = std::make_shared<Image>();
     image->width = image->height = 2;
-    image->bytes = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255}; // red green / blue white
+    image->bytes = {255, 0, 0,   255, 0,   255, 0,   255,
+                    0,   0, 255, 255, 255, 255, 255, 255}; // red green / blue white
     auto mesh = std::make_shared<Mesh>();
     mesh->positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
     mesh->normals.assign(4, {0, 0, 1});

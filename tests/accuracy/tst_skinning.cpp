@@ -1,4 +1,5 @@
-// Posed meshes as the device traces them against skinning on the host and the reference tracer, in both layouts.
+// Posed meshes as the device traces them against skinning on the host and the reference tracer, in both
+// layouts.
 #include "core/animation/pose.h"
 #include "core/reference/reference_tracer.h"
 #include "tests/support/test_scenes.h"
@@ -13,13 +14,14 @@ namespace {
 /// The object's mesh posed in double precision.
 MeshPtr posedOnHost(const Object& object, double seconds) {
     auto posed = std::make_shared<Mesh>(*object.mesh);
-    const auto matrices =
-        skinningMatrices(*object.mesh->skeleton, evaluateClip(*object.mesh->skeleton, *object.clips[0], seconds));
+    const auto matrices = skinningMatrices(*object.mesh->skeleton,
+                                           evaluateClip(*object.mesh->skeleton, *object.clips[0], seconds));
     for (std::size_t i = 0; i < posed->positions.size(); ++i) {
         glm::dvec4 sum(0.0);
         for (auto k = posed->firstInfluence[i]; k < posed->firstInfluence[i + 1]; ++k)
             sum += static_cast<double>(posed->influences[k].weight) *
-                   (glm::dmat4(matrices[posed->influences[k].bone]) * glm::dvec4(object.mesh->positions[i], 1.0));
+                   (glm::dmat4(matrices[posed->influences[k].bone]) *
+                    glm::dvec4(object.mesh->positions[i], 1.0));
         posed->positions[i] = glm::vec3(sum);
     }
     posed->skeleton = nullptr;

@@ -32,7 +32,8 @@ Scene makeScene(const glm::dvec3& centre, double scale) {
     light.position = centre + glm::dvec3(2, 4, 3) * scale;
     light.intensity = 40.0 * scale * scale;
     addLight(scene, light);
-    scene.camera = {centre + glm::dvec3(0.4, 1.5, 4.5) * scale, centre + glm::dvec3(0, 0.5, 0) * scale, {0, 1, 0}, 45.0};
+    scene.camera = {
+        centre + glm::dvec3(0.4, 1.5, 4.5) * scale, centre + glm::dvec3(0, 0.5, 0) * scale, {0, 1, 0}, 45.0};
     scene.background.color = {0.1, 0.2, 0.3};
     scene.render.samples = 2;
     return scene;
@@ -67,7 +68,8 @@ class FarSceneTest : public QObject {
         int count = 0;
         for (int y = 0; y < a.height; ++y)
             for (int x = 0; x < a.width; ++x)
-                if (glm::length(pixelOf(a, x, y) - pixelOf(b, x, y)) > 0.01 * (glm::length(pixelOf(a, x, y)) + 0.01))
+                if (glm::length(pixelOf(a, x, y) - pixelOf(b, x, y)) >
+                    0.01 * (glm::length(pixelOf(a, x, y)) + 0.01))
                     ++count;
         return static_cast<double>(count) / (a.width * a.height);
     }
@@ -129,7 +131,8 @@ void FarSceneTest::noAcneAtAnyScale() {
         const OfflinePicture picture = render(scene);
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x)
-                QVERIFY2(pixelOf(picture, x, y).x > 0.05, qPrintable(QString("%1 at %2, %3").arg(scale).arg(x).arg(y)));
+                QVERIFY2(pixelOf(picture, x, y).x > 0.05,
+                         qPrintable(QString("%1 at %2, %3").arg(scale).arg(x).arg(y)));
     }
 }
 

@@ -77,7 +77,7 @@ std::ptrdiff_t misses(const std::vector<DeviceHit>& hits) {
 class TestWatertight : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void closedMeshesHaveNoHoles_data();
     void closedMeshesHaveNoHoles();
     void axisDirections();

@@ -33,8 +33,8 @@ inline Material lambert(double albedo = 1.0) {
     return material;
 }
 
-/// A cylinder along Y that two bones bend: vertices below the middle follow the first, above the second, with a
-/// smooth transition; one clip, "bend", turns the second bone back and forth about Z.
+/// A cylinder along Y that two bones bend: vertices below the middle follow the first, above the second, with
+/// a smooth transition; one clip, "bend", turns the second bone back and forth about Z.
 inline MeshPtr makeBendingMesh() {
     auto mesh = std::make_shared<Mesh>(*makePrimitive(PrimitiveType::Cylinder, 2.0));
     auto skeleton = std::make_shared<Skeleton>();
@@ -61,7 +61,8 @@ inline ClipPtr makeBendClip() {
     BoneTrack track{1, {}};
     for (int i = 0; i < clip->frameCount; ++i) {
         const float angle = 0.9f * std::sin(static_cast<float>(i) / 20.0f * glm::two_pi<float>());
-        track.frames.push_back({{0.0f, 0.25f, 0.0f}, glm::angleAxis(angle, glm::vec3(0, 0, 1)), glm::vec3(1.0f)});
+        track.frames.push_back(
+            {{0.0f, 0.25f, 0.0f}, glm::angleAxis(angle, glm::vec3(0, 0, 1)), glm::vec3(1.0f)});
     }
     clip->tracks.push_back(track);
     return clip;

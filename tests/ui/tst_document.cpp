@@ -93,7 +93,7 @@ void editAtRandom(Document& document, std::mt19937& random) {
 class TestDocument : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void undoGoesAllTheWayBack();
     void gesturesAreSteps();
     void gestureWithoutOutcomeIsNoStep();

@@ -1,5 +1,5 @@
-// The main job from one end to the other in the real window: import a model, change a light and a material, orbit, and see
-// the ray-traced picture follow.
+// The main job from one end to the other in the real window: import a model, change a light and a material,
+// orbit, and see the ray-traced picture follow.
 #include "tests/ui/ui_test_support.h"
 
 #include "core/compute/device.h"
@@ -31,7 +31,7 @@ glm::dvec3 meanOf(const Frame& frame) {
 class TestEndToEnd : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void initTestCase() {
         isolation_ = std::make_unique<Isolation>();
         if (chooseDevice(listDevices(), {}) < 0)
@@ -44,7 +44,7 @@ private Q_SLOTS:
     void materialColoursThePicture();
     void orbitTurnsThePicture();
 
-private:
+  private:
     const Scene& scene() const { return window_->document().scene(); }
     Viewport& viewport() const { return *window_->findChild<Viewport*>(); }
 

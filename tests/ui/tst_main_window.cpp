@@ -37,7 +37,7 @@ QMessageBox* question(MainWindow& window) {
 class TestMainWindow : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void initTestCase() { isolation_ = std::make_unique<Isolation>(); }
     void init() {
         QSettings().clear();
@@ -70,7 +70,7 @@ private Q_SLOTS:
     void cheatSheetListsAll();
     void doubleClickOnAMessageSelects();
 
-private:
+  private:
     const Scene& scene() const { return window_->document().scene(); }
 
     std::unique_ptr<Isolation> isolation_;

@@ -22,7 +22,7 @@ using namespace prizma::test;
 class TestPropertyEditor : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void initTestCase() { isolation_ = std::make_unique<Isolation>(); }
     void init();
     void cleanup();
@@ -48,7 +48,7 @@ private Q_SLOTS:
     void materialSlots();
     void followsUndo();
 
-private:
+  private:
     void select(const std::vector<EntityRef>& entities) { document_->setSelection(entities); }
     EntityRef object(std::size_t index) const {
         return {EntityKind::Object, document_->scene().objects[index].id};

@@ -17,7 +17,7 @@ using namespace prizma::test;
 class TestSceneTree : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void initTestCase() { isolation_ = std::make_unique<Isolation>(); }
     void init();
     void cleanup();
@@ -32,7 +32,7 @@ private Q_SLOTS:
     void filterFinds();
     void groupsCannotBeSelected();
 
-private:
+  private:
     QRect rectOf(EntityRef entity, int column = 0) const;
     void click(EntityRef entity, int column = 0, Qt::KeyboardModifiers modifiers = {}) const;
     EntityRef object(std::size_t index) const {

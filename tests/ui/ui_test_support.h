@@ -24,7 +24,7 @@ namespace prizma::test {
 
 /// Keeps the settings of the person who runs the tests out of them, and the tests' out of theirs.
 class Isolation {
-public:
+  public:
     Isolation() {
         QStandardPaths::setTestModeEnabled(true);
         QCoreApplication::setOrganizationName(QStringLiteral("PrizmaTests"));
@@ -44,7 +44,7 @@ public:
         return file.fileName();
     }
 
-private:
+  private:
     QTemporaryDir folder_;
 };
 

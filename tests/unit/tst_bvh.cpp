@@ -120,7 +120,7 @@ Bvh medianTree(const Boxes& boxes, std::uint32_t leafSize) {
 class TestBvh : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void holdsEveryPrimitiveOnce_data();
     void holdsEveryPrimitiveOnce();
     void survivesHostileInput_data();

@@ -49,7 +49,8 @@ void ComputeTest::defaultDeviceIsListed() {
     QCOMPARE(chooseDevice({}, {}), -1);
 }
 
-/// Random allocations and releases; every piece must still hold what was written to it, and be disjoint from others.
+/// Random allocations and releases; every piece must still hold what was written to it, and be disjoint from
+/// others.
 void ComputeTest::arenaKeepsEveryPiece() {
     std::mt19937 random(7);
     Arena<std::uint32_t> arena("numbers");
@@ -64,7 +65,8 @@ void ComputeTest::arenaKeepsEveryPiece() {
             if (!content.empty())
                 pieces[*first] = content;
         } else {
-            const auto piece = std::next(pieces.begin(), static_cast<std::ptrdiff_t>(random() % pieces.size()));
+            const auto piece =
+                std::next(pieces.begin(), static_cast<std::ptrdiff_t>(random() % pieces.size()));
             arena.release(piece->first, piece->second.size());
             pieces.erase(piece);
         }

@@ -125,7 +125,7 @@ Bounds boundsOf(const Mesh& mesh, const std::vector<std::uint32_t>& triangles) {
 
 /// Walks the tree. Every box must be exactly around what lies below it.
 class Walk {
-public:
+  public:
     Walk(const DeviceTree& tree, const Mesh& mesh)
         : tree_(tree), mesh_(mesh), seen(mesh.triangles.size(), 0) {
         visit(0, 1);
@@ -142,7 +142,7 @@ public:
                                      : QString("depth is %1 instead of %2").arg(tree_.depth).arg(depth_);
     }
 
-private:
+  private:
     Bounds visit(std::uint32_t index, int depth) {
         depth_ = std::max(depth_, depth);
         ++nodes_;
@@ -232,7 +232,7 @@ const TreeLayout layouts[] = {TreeLayout::Wide8, TreeLayout::Binary2};
 class TestDeviceLayout : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void holdsTheMesh_data();
     void holdsTheMesh();
     void staysShallowForHostileMeshes();

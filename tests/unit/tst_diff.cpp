@@ -36,7 +36,7 @@ bool holds(const std::vector<Id>& ids, Id id) {
 class TestDiff : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void noEditsNoChanges() {
         const Scene scene = makeScene();
         QVERIFY(diff(scene, scene).isEmpty());

@@ -11,7 +11,9 @@ using namespace prizma;
 
 namespace {
 
-double encodeSrgb(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055; }
+double encodeSrgb(double x) {
+    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1.0 / 2.4) - 0.055;
+}
 
 /// Place of a pixel in the film: tiles of 8 x 8, Morton order inside.
 std::size_t placeOf(int x, int y, int width) {
@@ -27,13 +29,13 @@ std::size_t placeOf(int x, int y, int width) {
 class DisplayTest : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void initTestCase();
     void bytesFollowTheSrgbCurve();
     void valuesThatAreNoColoursStayInRange();
     void meanIsSumOverSamples();
 
-private:
+  private:
     static constexpr int width = 203;
     static constexpr int height = 117;
 
@@ -77,7 +79,8 @@ void DisplayTest::bytesFollowTheSrgbCurve() {
             for (int c = 0; c < 3; ++c) {
                 const double linear = 0.5 * sums[4 * placeOf(x, y, width) + static_cast<std::size_t>(c)];
                 const double exact = encodeSrgb(std::min(linear, 1.0)) * 255.0;
-                const int byte = static_cast<int>(pixels[static_cast<std::size_t>(y * width + x)] >> (8 * c)) & 255;
+                const int byte =
+                    static_cast<int>(pixels[static_cast<std::size_t>(y * width + x)] >> (8 * c)) & 255;
                 QVERIFY2(std::abs(byte - exact) <= 0.5001,
                          qPrintable(QString("%1 became %2").arg(linear).arg(byte)));
             }

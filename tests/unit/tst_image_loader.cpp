@@ -31,7 +31,7 @@ class TestImageLoader : public QObject {
         QCOMPARE(stream.write(content), content.size());
     }
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void pngRoundTrip() {
         std::mt19937 random(5);
         for (const auto& [width, height] : {std::pair{1, 1}, {3, 7}, {64, 33}}) {

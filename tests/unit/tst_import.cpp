@@ -62,7 +62,7 @@ class TestImport : public QObject {
 
     std::string asset(const char* name) const { return assetFolder().toStdString() + "/obj/" + name; }
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void materialsOfMtl() {
         const auto model = import(data("materials.obj"));
         QVERIFY2(model, model ? "" : describe(model.error()).c_str());

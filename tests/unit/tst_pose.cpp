@@ -65,7 +65,8 @@ void PoseTest::clipThatDoesNotLoopHoldsItsEnds() {
 void PoseTest::timesThatAreNoNumbersAreHarmless() {
     for (const double seconds : {std::nan(""), double(INFINITY), -double(INFINITY), 1e300})
         for (const BonePose& bone : evaluateClip(*mesh_->skeleton, *clip_, seconds))
-            QVERIFY(std::isfinite(glm::length(bone.rotation)) && std::isfinite(glm::length(bone.translation)));
+            QVERIFY(std::isfinite(glm::length(bone.rotation)) &&
+                    std::isfinite(glm::length(bone.translation)));
 }
 
 QTEST_GUILESS_MAIN(PoseTest)

@@ -41,7 +41,7 @@ double volumeOf(const Mesh& mesh) {
 class TestPrimitives : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void primitives_data() {
         QTest::addColumn<int>("type");
         QTest::addColumn<double>("size");

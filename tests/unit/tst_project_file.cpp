@@ -139,7 +139,7 @@ class TestProjectFile : public QObject {
             QCOMPARE(findDifference(a, {kind, listA[i].id}, b, {kind, listB[i].id}), std::string());
     }
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void init() {
         write(path("two.obj"), cubeObj);
         write(path("two.mtl"), cubeMtl);

@@ -57,7 +57,7 @@ std::vector<EntityRef> allEntities(const Scene& scene) {
 class TestProperties : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void everyPropertyRoundTrips() {
         std::mt19937 random(7);
         Scene scene = makeStarterScene();

@@ -101,7 +101,7 @@ Ray randomRay(std::mt19937& random, double size) {
 class TestReferenceTracer : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void agreesWithBruteForce_data();
     void agreesWithBruteForce();
     void measuresEdgeDistance();

@@ -39,7 +39,9 @@ DeviceState drawn(const Scene& scene) {
     return state;
 }
 
-RenderPlan planAfter(const Scene& before, const Scene& after) { return makePlan(drawn(before), after, 640, 480); }
+RenderPlan planAfter(const Scene& before, const Scene& after) {
+    return makePlan(drawn(before), after, 640, 480);
+}
 
 std::vector<Stage> stagesOf(const RenderPlan& plan) {
     std::vector<Stage> stages;
@@ -90,8 +92,8 @@ void RenderPlanTest::firstPictureNeedsEverything() {
     const RenderPlan plan = makePlan({}, scene, 640, 480);
     QVERIFY(plan.restarts);
     QCOMPARE(stagesOf(plan),
-             then({Stage::Geometry, Stage::Textures, Stage::Materials, Stage::Lights, Stage::Poses, Stage::VertexShader,
-                   Stage::TriangleShader, Stage::RefitTreeShader, Stage::TopLevel}));
+             then({Stage::Geometry, Stage::Textures, Stage::Materials, Stage::Lights, Stage::Poses,
+                   Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader, Stage::TopLevel}));
     QCOMPARE(plan.find(Stage::Geometry)->objects.size(), 3u);
     QCOMPARE(plan.find(Stage::Poses)->objects, std::vector<Id>{scene.objects[2].id});
 }
@@ -177,9 +179,10 @@ void RenderPlanTest::timeMovesPosedObjectsOnly() {
     Scene after = before;
     after.timeline.frame = 12.0;
     const RenderPlan plan = planAfter(before, after);
-    QCOMPARE(stagesOf(plan), then({Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader,
-                                   Stage::TopLevel}));
-    for (const Stage stage : {Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader})
+    QCOMPARE(stagesOf(plan), then({Stage::Poses, Stage::VertexShader, Stage::TriangleShader,
+                                   Stage::RefitTreeShader, Stage::TopLevel}));
+    for (const Stage stage :
+         {Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader})
         QCOMPARE(plan.find(stage)->objects, std::vector<Id>{before.objects[2].id});
 
     Scene still = before;
@@ -225,8 +228,8 @@ void RenderPlanTest::orbitingKeepsTheAnchor() {
     const double distance = glm::length(scene.camera.position - scene.camera.target);
     for (int i = 0; i < 100; ++i) {
         Camera camera = scene.camera;
-        camera.position =
-            camera.target + distance * glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
+        camera.position = camera.target + distance * glm::normalize(glm::dvec3(normal(random), normal(random),
+                                                                               normal(random)));
         QCOMPARE(chooseAnchor(anchor, camera), anchor);
     }
 }

@@ -160,7 +160,8 @@ void RenderThreadTest::exposureKeepsTheSamples() {
     QVERIFY(dark);
     request.scene.render.exposure = 2.0;
     thread.submit(request);
-    const FramePtr bright = listener.waitForFrame([&](const Frame& f) { return f.isFinal && f.pixels != dark->pixels; });
+    const FramePtr bright =
+        listener.waitForFrame([&](const Frame& f) { return f.isFinal && f.pixels != dark->pixels; });
     QVERIFY(bright);
     QCOMPARE(bright->samples, 6);
     const std::size_t middle = 4 * (60 * 160 + 80);

@@ -14,7 +14,7 @@ using namespace prizma;
 class TestScene : public QObject {
     Q_OBJECT
 
-private Q_SLOTS:
+  private Q_SLOTS:
     void namesStayUnique() {
         Scene scene;
         std::mt19937 random(3);

@@ -19,7 +19,7 @@ namespace prizma {
 class Document : public QObject {
     Q_OBJECT
 
-public:
+  public:
     explicit Document(QObject* parent = nullptr);
 
     const Scene& scene() const { return scene_; }
@@ -63,13 +63,13 @@ public:
     /// Grows with every edit, camera moves apart: tells whether something happened in between.
     int revision() const { return revision_; }
 
-Q_SIGNALS:
+  Q_SIGNALS:
     /// After every change of the scene. Names are no part of a picture, so that renaming gives an empty diff.
     void sceneChanged(const prizma::SceneDiff& changes);
     void selectionChanged();
     void fileChanged(); ///< Title or modified mark.
 
-private:
+  private:
     friend class SceneCommand;
     void apply(Scene scene);
     void push(const QString& text, Scene after, int gesture);

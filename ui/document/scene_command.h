@@ -11,7 +11,7 @@ class Document;
 /// An edit as two snapshots of the scene: they share everything that is heavy, so that a step costs little
 /// memory.
 class SceneCommand : public QUndoCommand {
-public:
+  public:
     /// Edits with an equal gesture number other than 0 merge into one step.
     SceneCommand(Document& document, const QString& text, Scene before, Scene after, int gesture);
 
@@ -20,7 +20,7 @@ public:
     int id() const override { return gesture_ > 0 ? gesture_ : -1; }
     bool mergeWith(const QUndoCommand* other) override;
 
-private:
+  private:
     void show(Scene scene);
 
     Document& document_;

@@ -17,7 +17,7 @@ namespace prizma {
 class BackgroundJob : public QObject {
     Q_OBJECT
 
-public:
+  public:
     using Delivery = std::function<void()>;
     using Work = std::function<Delivery(Progress&)>;
 
@@ -30,11 +30,11 @@ public:
     /// Over for the user at once; the thread may need a moment longer to notice.
     void cancel();
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void progressed(double fraction);
     void finished(); ///< After the delivery or after being cancelled; exactly once.
 
-private:
+  private:
     void workDone(const Delivery& delivery);
 
     QString label_;

@@ -21,7 +21,7 @@ class Document;
 class ImportController : public QObject {
     Q_OBJECT
 
-public:
+  public:
     explicit ImportController(Document& document, QObject* parent = nullptr);
 
     void importModel(const QString& file, const ImportOptions& options);
@@ -32,7 +32,7 @@ public:
     bool isBusy() const { return job_ != nullptr; }
     void cancel(); ///< Drops everything that waits, too.
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void started(const QString& label);
     void progressed(double fraction);
     void finished(); ///< Nothing more goes on.
@@ -41,7 +41,7 @@ Q_SIGNALS:
     void modelImported(prizma::Id object, const QString& file);
     void projectLoaded(const QString& file, std::shared_ptr<prizma::Project> project);
 
-private:
+  private:
     struct Task {
         QString file;
         ImportOptions options;

@@ -15,13 +15,13 @@ class NumberField;
 class ImportOptionsDialog : public QDialog {
     Q_OBJECT
 
-public:
+  public:
     explicit ImportOptionsDialog(const QStringList& files, QWidget* parent = nullptr);
 
     ImportOptions options() const;
     bool isRemembered() const; ///< To be used for files of this kind in this folder from now on.
 
-private:
+  private:
     QComboBox* upAxis_;
     NumberField* scale_;
     QCheckBox* remember_;

@@ -14,7 +14,7 @@ namespace prizma {
 class LogPanel : public QWidget {
     Q_OBJECT
 
-public:
+  public:
     explicit LogPanel(QWidget* parent = nullptr);
 
     /// A message that equals the last one is counted instead of repeated.
@@ -24,11 +24,11 @@ public:
     int count() const;
     Diagnostic at(int row) const;
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void errorAdded();
     void jumpRequested(const prizma::Diagnostic& diagnostic); ///< Double click: show what it is about.
 
-private:
+  private:
     void copy() const;
     void showMenu(const QPoint& position);
 

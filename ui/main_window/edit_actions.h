@@ -16,7 +16,7 @@ class Document;
 class EditActions : public QObject {
     Q_OBJECT
 
-public:
+  public:
     EditActions(Document& document, QWidget& window);
 
     void fillEditMenu(QMenu& menu);
@@ -25,7 +25,7 @@ public:
     /// Duplicate and Delete, for right-click menus.
     std::vector<QAction*> selectionActions() const { return {duplicate_, delete_}; }
 
-private:
+  private:
     void updateEnabled();
 
     Document& document_;

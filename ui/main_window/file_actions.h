@@ -25,7 +25,7 @@ class Viewport;
 class FileActions : public QObject {
     Q_OBJECT
 
-public:
+  public:
     FileActions(Document& document, ImportController& importer, Viewport& viewport, QMainWindow& window);
 
     void fillMenu(QMenu& menu);
@@ -42,11 +42,11 @@ public:
 
     UnsavedChanges& unsavedChanges() { return unsavedChanges_; }
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void message(const prizma::Diagnostic& diagnostic);
     void saved(const QString& file);
 
-private:
+  private:
     void newScene();
     void open();
     void save(const std::function<void()>& whenSaved);

@@ -11,12 +11,12 @@ namespace prizma {
 class HelpActions : public QObject {
     Q_OBJECT
 
-public:
+  public:
     explicit HelpActions(QMainWindow& window);
 
     void fillMenu(QMenu& menu);
 
-private:
+  private:
     void showShortcuts();
     void showAbout();
 

@@ -30,7 +30,7 @@ class ViewportMenu;
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
-public:
+  public:
     /// Renders on the device `deviceId` names, or on the default one. The document is a starter scene.
     explicit MainWindow(const QString& deviceId = {}, QWidget* parent = nullptr);
     ~MainWindow() override;
@@ -60,12 +60,12 @@ public:
 
     void resetLayout();
 
-protected:
+  protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
-private:
+  private:
     void makePanels();
     void makeMenus();
     void connectSession();

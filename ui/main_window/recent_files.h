@@ -11,7 +11,7 @@ namespace prizma {
 class RecentFiles : public QObject {
     Q_OBJECT
 
-public:
+  public:
     explicit RecentFiles(QObject* parent = nullptr);
 
     QStringList files() const;
@@ -22,10 +22,10 @@ public:
     /// Fills `menu` whenever it is about to be shown.
     void attach(QMenu& menu);
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void chosen(const QString& file);
 
-private:
+  private:
     void fill(QMenu& menu);
 };
 

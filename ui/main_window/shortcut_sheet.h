@@ -11,7 +11,7 @@ namespace prizma {
 class ShortcutSheet : public QDialog {
     Q_OBJECT
 
-public:
+  public:
     explicit ShortcutSheet(QMenuBar& menus, QWidget* parent = nullptr);
 };
 

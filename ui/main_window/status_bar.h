@@ -15,7 +15,7 @@ namespace prizma {
 class StatusBar : public QStatusBar {
     Q_OBJECT
 
-public:
+  public:
     explicit StatusBar(QWidget* parent = nullptr);
 
     void setActivity(const QString& what, bool running);
@@ -26,11 +26,11 @@ public:
     void setProgress(double fraction);
     void endProgress();
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void cancelRequested();
     void deviceClicked();
 
-private:
+  private:
     QLabel* activity_;
     QLabel* task_;
     QProgressBar* progress_;

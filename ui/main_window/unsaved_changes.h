@@ -14,7 +14,7 @@ class Document;
 class UnsavedChanges : public QObject {
     Q_OBJECT
 
-public:
+  public:
     /// `save` saves the document and calls what it is given once that has worked.
     using Save = std::function<void(std::function<void()> whenSaved)>;
 
@@ -24,7 +24,7 @@ public:
     /// Calls `proceed` at once if nothing would be lost; else asks first, and calls it after Save or Discard.
     void guard(std::function<void()> proceed);
 
-private:
+  private:
     Document& document_;
     Save save_;
     QWidget& window_;

@@ -21,7 +21,7 @@ class Viewport;
 class ViewActions : public QObject {
     Q_OBJECT
 
-public:
+  public:
     ViewActions(Document& document, RenderSession& session, Viewport& viewport, QMainWindow& window);
 
     void fillViewMenu(QMenu& menu, const QList<QAction*>& panelActions, QAction* resetLayout);
@@ -34,7 +34,7 @@ public:
 
     void showDevices();
 
-private:
+  private:
     QAction* makeAction(const char* iconName, const QString& text, const QList<QKeySequence>& keys);
     void makePresets();
     void makeShaders();

@@ -21,13 +21,13 @@ class ViewActions;
 class ViewportMenu : public QObject {
     Q_OBJECT
 
-public:
+  public:
     ViewportMenu(RenderSession& session, ViewActions& view, std::vector<QAction*> selectionActions,
                  QWidget& window);
 
     void show(const QPoint& globalPosition);
 
-private:
+  private:
     void listInBackground();
     void fillDevices(QMenu& menu);
     void choose(const DeviceInfo& device);

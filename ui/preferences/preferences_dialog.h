@@ -17,12 +17,12 @@ QString language(); ///< "hu"; empty: the system's.
 class PreferencesDialog : public QDialog {
     Q_OBJECT
 
-public:
+  public:
     explicit PreferencesDialog(QWidget* parent = nullptr);
 
     void accept() override;
 
-private:
+  private:
     void fillLanguages();
 
     QComboBox* language_;

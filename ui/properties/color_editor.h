@@ -18,11 +18,11 @@ glm::dvec3 linearColor(const QColor& color);
 class ColorEditor : public ValueEditor {
     Q_OBJECT
 
-public:
+  public:
     explicit ColorEditor(const PropertyInfo& property);
     void show(const std::vector<PropertyValue>& values) override;
 
-private:
+  private:
     void openDialog();
     void showSwatch();
 

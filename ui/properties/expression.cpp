@@ -12,7 +12,7 @@ double radians(double degrees) {
 
 /// Recursive descent; after a fault `failed` stays set and the value means nothing.
 class Parser {
-public:
+  public:
     explicit Parser(const QString& text) : text_(text) {}
 
     std::optional<double> parse() {
@@ -23,7 +23,7 @@ public:
         return value;
     }
 
-private:
+  private:
     void skipSpace() {
         while (at_ < text_.size() && text_[at_].isSpace())
             ++at_;

@@ -16,7 +16,7 @@ class Document;
 class MaterialSlots : public QWidget {
     Q_OBJECT
 
-public:
+  public:
     explicit MaterialSlots(Document& document, QWidget* parent = nullptr);
 
     /// Shows the slots of the last one of `objects`; an edit of a slot is for all that have it.
@@ -24,7 +24,7 @@ public:
 
     using QWidget::show;
 
-private:
+  private:
     void rebuild(const std::vector<std::string>& names);
     void fill(QComboBox& box, Id current);
     void chosen(int slot, int index);

@@ -12,12 +12,12 @@ namespace prizma {
 class ScalarEditor : public ValueEditor {
     Q_OBJECT
 
-public:
+  public:
     explicit ScalarEditor(const PropertyInfo& property);
     void show(const std::vector<PropertyValue>& values) override;
     NumberField* labelField() override { return field_; }
 
-private:
+  private:
     bool integer_;
     NumberField* field_;
 };
@@ -26,11 +26,11 @@ private:
 class VectorEditor : public ValueEditor {
     Q_OBJECT
 
-public:
+  public:
     explicit VectorEditor(const PropertyInfo& property);
     void show(const std::vector<PropertyValue>& values) override;
 
-private:
+  private:
     void editComponent(int component, double number);
 
     PropertyKind kind_;

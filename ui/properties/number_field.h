@@ -10,7 +10,7 @@ namespace prizma {
 class NumberField : public QAbstractSpinBox {
     Q_OBJECT
 
-public:
+  public:
     explicit NumberField(QWidget* parent = nullptr);
 
     void setRange(double minimum, double maximum);
@@ -33,12 +33,12 @@ public:
     QSize minimumSizeHint() const override;
     void stepBy(int steps) override;
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void gestureStarted(); ///< Values until `gestureFinished` belong together.
     void valueEdited(double value);
     void gestureFinished();
 
-protected:
+  protected:
     StepEnabled stepEnabled() const override { return StepUpEnabled | StepDownEnabled; }
     bool eventFilter(QObject* watched, QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
@@ -48,7 +48,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
 
-private:
+  private:
     bool handleMouse(QEvent* event);
     void startTyping();
     bool commit(); ///< What was typed becomes the value; false if it is no number.

@@ -24,16 +24,16 @@ class PropertyRow;
 class PropertyEditor : public QWidget {
     Q_OBJECT
 
-public:
+  public:
     explicit PropertyEditor(Document& document, QWidget* parent = nullptr);
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void message(const prizma::Diagnostic& diagnostic);
 
-protected:
+  protected:
     void showEvent(QShowEvent* event) override;
 
-private:
+  private:
     void refresh();
     void rebuild(const std::vector<PropertyInfo>& properties);
     void addRow(const PropertyInfo& property);

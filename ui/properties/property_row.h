@@ -14,15 +14,15 @@ namespace prizma {
 class PropertyLabel : public QLabel {
     Q_OBJECT
 
-public:
+  public:
     PropertyLabel(const QString& text, ValueEditor& editor);
 
-protected:
+  protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
 
-private:
+  private:
     NumberField* field_;
     int lastX_ = 0;
     bool dragging_ = false;
@@ -33,7 +33,7 @@ private:
 class PropertyRow : public QObject {
     Q_OBJECT
 
-public:
+  public:
     /// Adds its widgets to a new row of `grid`.
     PropertyRow(const PropertyInfo& property, std::unique_ptr<ValueEditor> editor, QGridLayout& grid,
                 QObject* parent);
@@ -44,10 +44,10 @@ public:
     /// `values` of all selected things, the current one's last.
     void show(const std::vector<PropertyValue>& values);
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void resetRequested(const prizma::PropertyValue& value);
 
-private:
+  private:
     std::string key_;
     PropertyValue defaultValue_;
     ValueEditor* editor_; ///< Owned by the grid's widget.

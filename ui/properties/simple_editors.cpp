@@ -21,10 +21,10 @@ bool areMixed(const std::vector<PropertyValue>& values) {
 
 /// A combo box that leaves the wheel to the panel unless it has the focus.
 class CalmComboBox : public QComboBox {
-public:
+  public:
     CalmComboBox() { setFocusPolicy(Qt::StrongFocus); }
 
-protected:
+  protected:
     void wheelEvent(QWheelEvent* event) override {
         if (hasFocus())
             QComboBox::wheelEvent(event);

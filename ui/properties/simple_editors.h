@@ -13,22 +13,22 @@ namespace prizma {
 class BooleanEditor : public ValueEditor {
     Q_OBJECT
 
-public:
+  public:
     BooleanEditor();
     void show(const std::vector<PropertyValue>& values) override;
 
-private:
+  private:
     QCheckBox* box_;
 };
 
 class ChoiceEditor : public ValueEditor {
     Q_OBJECT
 
-public:
+  public:
     explicit ChoiceEditor(std::vector<ShownChoice> choices);
     void show(const std::vector<PropertyValue>& values) override;
 
-private:
+  private:
     std::vector<ShownChoice> choices_;
     QComboBox* box_;
 };
@@ -36,14 +36,14 @@ private:
 class TextEditor : public ValueEditor {
     Q_OBJECT
 
-public:
+  public:
     TextEditor();
     void show(const std::vector<PropertyValue>& values) override;
 
-protected:
+  protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
-private:
+  private:
     QLineEdit* line_;
     QString shown_;
 };

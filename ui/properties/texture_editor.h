@@ -15,15 +15,15 @@ namespace prizma {
 class TextureEditor : public ValueEditor {
     Q_OBJECT
 
-public:
+  public:
     TextureEditor();
     void show(const std::vector<PropertyValue>& values) override;
 
-protected:
+  protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
-private:
+  private:
     void browse();
     void showTexture(const Texture& texture, bool mixed);
 

@@ -16,7 +16,7 @@ class NumberField;
 class ValueEditor : public QWidget {
     Q_OBJECT
 
-public:
+  public:
     /// What an edit makes of each present value. (An edit of X leaves every thing its own Y and Z.)
     using Change = std::function<PropertyValue(const PropertyValue&)>;
 
@@ -30,13 +30,13 @@ public:
 
     using QWidget::show;
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void gestureStarted(); ///< Edits until `gestureFinished` are one undo step.
     void edited(const prizma::ValueEditor::Change& change);
     void gestureFinished();
     void fileChosen(const QString& file); ///< A texture is to be read from there.
 
-protected:
+  protected:
     void forwardGestures(NumberField* field);
 
     /// Tells that every value is to become `value`.

@@ -17,7 +17,7 @@ class Document;
 class SceneModel : public QAbstractItemModel {
     Q_OBJECT
 
-public:
+  public:
     enum Column { NameColumn, BadgeColumn, SwitchColumn, ColumnCount };
     enum Role { BadgeRole = Qt::UserRole }; ///< Bool: Dynamic. Invalid where there is no badge.
 
@@ -38,10 +38,10 @@ public:
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void refused(const QString& reason); ///< A rename that is not possible.
 
-private:
+  private:
     /// What a row shows.
     struct Row {
         EntityRef entity;

@@ -20,10 +20,10 @@ namespace {
 
 /// Leaves groups in place while no filter is set, and shows matches with their groups while one is.
 class TreeFilter : public QSortFilterProxyModel {
-public:
+  public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
-protected:
+  protected:
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
         if (filterRegularExpression().pattern().isEmpty())
             return true;

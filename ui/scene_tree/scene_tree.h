@@ -21,7 +21,7 @@ class SceneModel;
 class SceneTree : public QWidget {
     Q_OBJECT
 
-public:
+  public:
     explicit SceneTree(Document& document, QWidget* parent = nullptr);
 
     /// Commands of the right-click menu beside Rename.
@@ -34,10 +34,10 @@ public:
     /// Where `entity` is in `view()`; invalid if the filter hides it.
     QModelIndex indexOf(EntityRef entity) const;
 
-Q_SIGNALS:
+  Q_SIGNALS:
     void refused(const QString& reason);
 
-private:
+  private:
     void setFilter(const QString& text);
     void spanGroups();
     void takeSelection(); ///< From the view to the document.

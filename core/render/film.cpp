@@ -1,14 +1,12 @@
 #include "core/render/film.h"
 
+#include "core/scene/srgb.h"
+
 #include <bit>
 #include <cmath>
 
 namespace prizma {
 namespace {
-
-double decodeSrgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 /// The linear value from which on each byte is used, as float bits, then for every bin of floats (their upper
 /// 16 bits) from the smallest to 1 the byte at the bin's start.

@@ -1,5 +1,7 @@
 #include "core/render/material_store.h"
 
+#include "core/scene/srgb.h"
+
 #include <glm/gtc/quaternion.hpp>
 
 #include <bit>
@@ -10,10 +12,6 @@ namespace prizma {
 namespace {
 
 constexpr std::size_t srgbTableSize = 256;
-
-float decodeSrgb(float encoded) {
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
 
 void store(float (&target)[3], const glm::dvec3& value) {
     for (int i = 0; i < 3; ++i)
@@ -60,9 +58,8 @@ glm::dvec3 meanOverSphere(const Image& image) {
                                     static_cast<std::size_t>(x));
             for (int c = 0; c < 3; ++c) {
                 const auto i = first + static_cast<std::size_t>(c);
-                sum[c] +=
-                    weight * (image.bytes.empty() ? image.floats[i]
-                                                  : decodeSrgb(static_cast<float>(image.bytes[i]) / 255.0f));
+                sum[c] += weight * (image.bytes.empty() ? static_cast<double>(image.floats[i])
+                                                        : decodeSrgb(image.bytes[i] / 255.0));
             }
             weights += weight;
         }
@@ -121,7 +118,8 @@ Result<void> MaterialStore::uploadConstants(Context& context) {
         return {};
     std::vector<std::uint32_t> table(srgbTableSize);
     for (std::size_t i = 0; i < table.size(); ++i)
-        table[i] = std::bit_cast<std::uint32_t>(decodeSrgb(static_cast<float>(i) / 255.0f));
+        table[i] =
+            std::bit_cast<std::uint32_t>(static_cast<float>(decodeSrgb(static_cast<double>(i) / 255.0)));
     if (const auto place = texels_.add(context, table); !place)
         return std::unexpected(place.error());
     checkerboard_ = makeCheckerboard();

@@ -1,5 +1,7 @@
 #include "ui/properties/color_editor.h"
 
+#include "core/scene/srgb.h"
+
 #include "ui/document/strings.h"
 #include "ui/properties/number_editors.h"
 #include "ui/properties/number_field.h"
@@ -14,14 +16,6 @@
 
 namespace prizma {
 namespace {
-
-double encodeSrgb(double linear) {
-    return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-double decodeSrgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 /// How many times brighter than the screen's white the colour is; at least 1.
 double overbright(const glm::dvec3& linear) {

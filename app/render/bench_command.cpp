@@ -3,6 +3,7 @@
 #include "core/bench/build_bench.h"
 #include "core/bench/procedural_scene.h"
 #include "core/bench/refit_bench.h"
+#include "core/bench/ruin_bench.h"
 #include "core/bench/trace_bench.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,9 @@ struct Arguments {
     bool instanced = false;
     std::string layout = "wide8";
     int repeats = 5;
+    bool ruin = false;
+    double distance = 2.0;
+    int parts = 200;
     bench::TraceBenchOptions trace;
 };
 
@@ -84,6 +88,16 @@ Json toJson(const bench::RefitReport& report) {
     return result;
 }
 
+Json toJson(const bench::RuinReport& report) {
+    Json steps = Json::array();
+    for (const bench::RuinStep& step : report.steps)
+        steps.push_back({{"flown", step.flown},
+                         {"wear", step.wear},
+                         {"refitted", {{"camera", step.refitted.camera}, {"diffuse", step.refitted.diffuse}}},
+                         {"rebuilt", {{"camera", step.rebuilt.camera}, {"diffuse", step.rebuilt.diffuse}}}});
+    return {{"device", report.device}, {"triangles", report.triangles}, {"steps", std::move(steps)}};
+}
+
 void print(const bench::TraceReport& report) {
     fmt::print("{}, {} triangles; Mrays/s, medians\n", report.device, report.triangles);
     fmt::print("{:<8} {:>8} {:>9} {:>10} {:>6}", "rays", "count", "Mrays/s", "mismatches", "wrong");
@@ -123,6 +137,18 @@ void print(const bench::RefitReport& report) {
     if (report.embreeRefit)
         fmt::print("Embree, refit quality: {:.2f} ms; ratio {:.2f} (below 1: faster than Embree)\n",
                    *report.embreeRefit, report.ratio);
+}
+
+void print(const bench::RuinReport& report) {
+    fmt::print("{}, {} triangles in shards that fly apart; Mrays/s, medians\n", report.device,
+               report.triangles);
+    fmt::print("{:>6} {:>6} | camera: {:>8} {:>8} {:>6} | diffuse: {:>8} {:>8} {:>6}\n", "flown", "wear",
+               "refitted", "rebuilt", "share", "refitted", "rebuilt", "share");
+    for (const bench::RuinStep& step : report.steps)
+        fmt::print("{:>6.3f} {:>6.2f} | {:>16.2f} {:>8.2f} {:>6.2f} | {:>17.2f} {:>8.2f} {:>6.2f}\n",
+                   step.flown, step.wear, step.refitted.camera, step.rebuilt.camera,
+                   step.refitted.camera / step.rebuilt.camera, step.refitted.diffuse, step.rebuilt.diffuse,
+                   step.refitted.diffuse / step.rebuilt.diffuse);
 }
 
 template <class Report>
@@ -176,7 +202,24 @@ void addRefitCommand(CLI::App& bench) {
     command->add_option("--device", arguments->trace.deviceId, "OpenCL device, as \"devices\" lists it");
     command->add_option("--layout", arguments->layout, "The trees' layout; without: what suits the device")
         ->check(CLI::IsMember({"wide8", "binary2"}));
+    command->add_flag(
+        "--ruin", arguments->ruin,
+        "Instead: how fast rays are while parts fly apart, with the refitted tree and a new one");
+    command
+        ->add_option("--distance", arguments->distance,
+                     "With --ruin: how far they fly, in sizes of their object")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->capture_default_str();
+    command->add_option("--parts", arguments->parts, "With --ruin: of each object")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
     command->callback([arguments] {
+        if (arguments->ruin) {
+            const bench::RuinBenchOptions ruin{arguments->trace.deviceId, arguments->parts,
+                                               arguments->distance, arguments->repeats};
+            show(bench::benchRuin(sceneOf(*arguments), ruin), arguments->json);
+            return;
+        }
         bench::RefitBenchOptions options;
         options.deviceId = arguments->trace.deviceId;
         options.repeats = arguments->repeats;

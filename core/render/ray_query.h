@@ -36,6 +36,9 @@ class RayQuery {
 
     std::string deviceName() const;
 
+    /// RenderStatistics::treeWear: how much worse than when built the most worn of the refitted trees is.
+    double treeWear() const;
+
     /// Puts the rays on the device once, so that repeated `trace` calls measure tracing only.
     Result<void> setRays(std::span<const DeviceRay> rays);
 

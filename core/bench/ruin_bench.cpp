@@ -1,0 +1,85 @@
+#include "core/bench/ruin_bench.h"
+
+#include "core/bench/deforming_scene.h"
+#include "core/bench/ray_sets.h"
+#include "core/bench/statistics_of.h"
+#include "core/render/ray_query.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prizma::bench {
+namespace {
+
+constexpr int width = 640;
+constexpr int height = 360;
+/// Of the flight: trees are ruined early.
+constexpr double moments[] = {0.0, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15, 0.3, 0.6, 1.0};
+
+/// Rates of both queries over the same rays, in turn.
+Result<std::pair<double, double>> ratesOf(RayQuery& first, RayQuery& second, std::span<const DeviceRay> rays,
+                                          RayQueryMode mode, int repeats) {
+    RayQuery* const queries[] = {&first, &second};
+    std::vector<double> rates[2];
+    for (RayQuery* query : queries)
+        if (auto ok = query->setRays(rays); !ok)
+            return std::unexpected(ok.error());
+    for (int i = 0; i <= repeats; ++i)
+        for (int k = 0; k < 2; ++k) {
+            const auto milliseconds = queries[k]->trace(mode);
+            if (!milliseconds)
+                return std::unexpected(milliseconds.error());
+            if (i > 0) // the first launch compiles
+                rates[k].push_back(static_cast<double>(rays.size()) / std::max(*milliseconds, 1e-6) * 1e-3);
+        }
+    return std::pair(median(rates[0]), median(rates[1]));
+}
+
+Result<RuinStep> measureStep(const Scene& scene, const RuinBenchOptions& options) {
+    const Scene still = frozen(scene);
+    auto refitted = RayQuery::create(scene, options.deviceId);
+    if (!refitted)
+        return std::unexpected(refitted.error());
+    auto rebuilt = RayQuery::create(still, options.deviceId);
+    if (!rebuilt)
+        return std::unexpected(rebuilt.error());
+    const RaySets sets = makeRaySets(still, reference::Tracer(still), refitted->origin(), width, height);
+    const auto camera =
+        ratesOf(*refitted, *rebuilt, sets.camera, RayQueryMode::ClosestPacket, options.repeats);
+    if (!camera)
+        return std::unexpected(camera.error());
+    const auto diffuse = ratesOf(*refitted, *rebuilt, sets.diffuse, RayQueryMode::Closest, options.repeats);
+    if (!diffuse)
+        return std::unexpected(diffuse.error());
+    RuinStep step;
+    step.wear = refitted->treeWear();
+    step.refitted = {camera->first, diffuse->first};
+    step.rebuilt = {camera->second, diffuse->second};
+    return step;
+}
+
+} // namespace
+
+Result<RuinReport> benchRuin(const Scene& scene, const RuinBenchOptions& options) {
+    Scene flying = makeFlyingApart(scene, options.parts, options.distance);
+    RuinReport report;
+    for (const Object& object : flying.objects)
+        report.triangles += object.visible && object.mesh ? object.mesh->triangles.size() : 0;
+    if (report.triangles == 0)
+        return failure("There is no mesh in the scene.");
+    const auto query = RayQuery::create(flying, options.deviceId);
+    if (!query)
+        return std::unexpected(query.error());
+    report.device = query->deviceName();
+    for (const double moment : moments) {
+        flying.timeline.frame = moment * (flightFrames - 1);
+        auto step = measureStep(flying, options);
+        if (!step)
+            return std::unexpected(step.error());
+        step->flown = moment;
+        report.steps.push_back(*step);
+    }
+    return report;
+}
+
+} // namespace prizma::bench

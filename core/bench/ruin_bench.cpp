@@ -4,9 +4,11 @@
 #include "core/bench/ray_sets.h"
 #include "core/bench/statistics_of.h"
 #include "core/render/ray_query.h"
+#include "core/render/renderer.h"
 
 #include <algorithm>
-#include <cmath>
+#include <chrono>
+#include <memory>
 
 namespace prizma::bench {
 namespace {
@@ -58,6 +60,75 @@ Result<RuinStep> measureStep(const Scene& scene, const RuinBenchOptions& options
     return step;
 }
 
+/// Plays the flight slowly, back and forth, until a worn tree has been replaced.
+class RenewalBench {
+  public:
+    RenewalBench(Scene scene, std::unique_ptr<Renderer> renderer)
+        : scene_(std::move(scene)), renderer_(std::move(renderer)) {}
+
+    Result<RenewalTimes> run();
+
+  private:
+    struct FrameTime {
+        double milliseconds = 0.0;
+        bool swapped = false;
+    };
+    Result<FrameTime> next();
+
+    Scene scene_;
+    std::unique_ptr<Renderer> renderer_;
+    int frames_ = 0;
+};
+
+Result<RenewalBench::FrameTime> RenewalBench::next() {
+    scene_.timeline.frame = 0.02 * (frames_++ % 500);
+    FrameTime time;
+    Result<void> begun;
+    time.milliseconds = measure([&] {
+        const Scene drawn = renderer_->drawable(scene_);
+        const RenderPlan plan = renderer_->plan(drawn, 1, 1);
+        time.swapped = plan.find(Stage::NewTrees) != nullptr;
+        begun = renderer_->begin(plan, drawn, 1, 1);
+    });
+    renderer_->drop();
+    if (!begun)
+        return std::unexpected(begun.error());
+    return time;
+}
+
+Result<RenewalTimes> RenewalBench::run() {
+    constexpr int mostFrames = 5000;
+    renderer_->waitForTrees(scene_);
+    RenewalTimes times;
+    std::vector<double> usual;
+    bool isBuilding = false;
+    std::chrono::steady_clock::time_point started;
+    for (int i = 0; i < mostFrames; ++i) {
+        const auto time = next();
+        if (!time)
+            return std::unexpected(time.error());
+        if (time->swapped) {
+            times.swap = time->milliseconds;
+            times.build =
+                std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - started)
+                    .count() -
+                time->milliseconds;
+            break;
+        }
+        if (isBuilding) {
+            times.during = std::max(times.during, time->milliseconds);
+        } else if (renderer_->isBuildingTrees()) {
+            isBuilding = true;
+            started = std::chrono::steady_clock::now();
+            times.start = time->milliseconds;
+        } else if (i > 2) { // the first ones upload and compile
+            usual.push_back(time->milliseconds);
+        }
+    }
+    times.frame = median(usual);
+    return times;
+}
+
 } // namespace
 
 Result<RuinReport> benchRuin(const Scene& scene, const RuinBenchOptions& options) {
@@ -79,6 +150,15 @@ Result<RuinReport> benchRuin(const Scene& scene, const RuinBenchOptions& options
         step->flown = moment;
         report.steps.push_back(*step);
     }
+    RendererOptions renderer;
+    renderer.deviceId = options.deviceId;
+    auto made = Renderer::create(std::move(renderer));
+    if (!made)
+        return std::unexpected(made.error());
+    const auto renewal = RenewalBench(std::move(flying), std::move(*made)).run();
+    if (!renewal)
+        return std::unexpected(renewal.error());
+    report.renewal = *renewal;
     return report;
 }
 

@@ -29,10 +29,21 @@ struct RuinStep {
     RuinRates rebuilt;  ///< Through a tree built for this moment.
 };
 
+/// What it costs the render thread to have a worn tree replaced, in milliseconds. All are times to bring the
+/// device up to a frame of the animation, all stages before the first ray.
+struct RenewalTimes {
+    double frame = 0.0;  ///< A usual one: pose, refit, top level (median).
+    double start = 0.0;  ///< The one that finds the tree worn: reads the vertices back and starts the build.
+    double during = 0.0; ///< The slowest one while the build goes on, which shares the cores.
+    double swap = 0.0;   ///< The one that puts the new tree into use.
+    double build = 0.0;  ///< From the start of the build to the swap.
+};
+
 struct RuinReport {
     std::string device;
     std::size_t triangles = 0;
     std::vector<RuinStep> steps;
+    RenewalTimes renewal;
 };
 
 /// Measures what refitting does to trees whose parts fly apart (makeFlyingApart): where a new tree pays.

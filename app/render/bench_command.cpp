@@ -1,6 +1,7 @@
 #include "app/render/command.h"
 #include "app/render/load_scene.h"
 #include "core/bench/build_bench.h"
+#include "core/bench/growth_bench.h"
 #include "core/bench/procedural_scene.h"
 #include "core/bench/refit_bench.h"
 #include "core/bench/ruin_bench.h"
@@ -20,6 +21,7 @@ struct Arguments {
     std::string file;
     bool json = false;
     bool instanced = false;
+    std::size_t triangles = bench::proceduralTriangles;
     std::string layout = "wide8";
     int repeats = 5;
     bool ruin = false;
@@ -31,7 +33,8 @@ struct Arguments {
 Scene sceneOf(const Arguments& arguments) {
     if (arguments.file.empty())
         return bench::makeProceduralScene(arguments.instanced ? bench::ProceduralForm::Instances
-                                                              : bench::ProceduralForm::OneMesh);
+                                                              : bench::ProceduralForm::OneMesh,
+                                          arguments.triangles);
     auto scene = loadScene(arguments.file, "y", double(arguments.trace.width) / arguments.trace.height);
     if (!scene)
         fail(scene.error());
@@ -56,7 +59,10 @@ Json toJson(const bench::TraceReport& report) {
         }
         results.push_back(std::move(item));
     }
-    return {{"device", report.device}, {"triangles", report.triangles}, {"results", std::move(results)}};
+    return {{"device", report.device},
+            {"triangles", report.triangles},
+            {"deviceBytes", report.deviceBytes},
+            {"results", std::move(results)}};
 }
 
 Json toJson(const bench::BuildReport& report) {
@@ -105,6 +111,16 @@ Json toJson(const bench::RuinReport& report) {
               {"during", renewal.during},
               {"swap", renewal.swap},
               {"build", renewal.build}}}};
+}
+
+Json toJson(const bench::GrowthReport& report) {
+    Json sizes = Json::array();
+    for (const bench::GrowthRow& row : report.rows)
+        sizes.push_back({{"triangles", row.build.triangles},
+                         {"build", toJson(row.build)},
+                         {"refit", toJson(row.refit)},
+                         {"trace", toJson(row.trace)}});
+    return {{"device", report.device}, {"sizes", std::move(sizes)}};
 }
 
 void print(const bench::TraceReport& report) {
@@ -165,6 +181,29 @@ void print(const bench::RuinReport& report) {
                renewal.frame, renewal.start, renewal.during, renewal.swap, renewal.build);
 }
 
+/// A time and, where Embree was measured, the ratio to its own.
+std::string withRatio(double milliseconds, double ratio) {
+    return ratio > 0.0 ? fmt::format("{:.2f} ({:.2f})", milliseconds, ratio)
+                       : fmt::format("{:.2f}", milliseconds);
+}
+
+void print(const bench::GrowthReport& report) {
+    fmt::print("{}; medians; in brackets ours over Embree's: times below 1 and rates above 1 are faster than "
+               "Embree\n",
+               report.device);
+    fmt::print("{:>10} {:>16} {:>16} {:>9} {:>9} {:>16} {:>16} {:>16}\n", "triangles", "build ms", "refit ms",
+               "tree B/t", "all B/t", "camera Mrays/s", "diffuse", "shadow");
+    for (const bench::GrowthRow& row : report.rows) {
+        fmt::print("{:>10} {:>16} {:>16} {:>9.1f} {:>9.1f}", row.build.triangles,
+                   withRatio(row.build.milliseconds, row.build.ratio),
+                   withRatio(row.refit.milliseconds, row.refit.ratio), row.build.bytesPerTriangle,
+                   static_cast<double>(row.trace.deviceBytes) / static_cast<double>(row.trace.triangles));
+        for (const bench::TraceResult& result : row.trace.results)
+            fmt::print(" {:>16}", withRatio(result.mraysPerSecond, result.ratio));
+        fmt::print("\n");
+    }
+}
+
 template <class Report>
 void show(const Result<Report>& report, bool json) {
     if (!report)
@@ -181,6 +220,9 @@ void addCommonOptions(CLI::App& command, Arguments& arguments) {
     command.add_flag("--json", arguments.json, "Print JSON for scripts");
     command.add_flag("--instanced", arguments.instanced,
                      "Without a file: ten objects that share four meshes, instead of one mesh");
+    command.add_option("--triangles", arguments.triangles, "Without a file: about how many the scene has")
+        ->check(CLI::Range(std::size_t{1000}, std::size_t{10000000}))
+        ->capture_default_str();
     command.add_option("--repeats", arguments.repeats, "Measurements of which the median counts")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
@@ -258,6 +300,22 @@ void addBuildCommand(CLI::App& bench) {
     });
 }
 
+void addGrowthCommand(CLI::App& bench) {
+    auto* command = bench.add_subcommand(
+        "growth", "How build, refit, memory and rays grow from 1,000 to 10,000,000 triangles; takes minutes");
+    const auto arguments = std::make_shared<Arguments>();
+    const auto options = std::make_shared<bench::GrowthBenchOptions>();
+    command->add_flag("--json", arguments->json, "Print JSON for scripts");
+    command->add_option("--device", options->deviceId, "OpenCL device, as \"devices\" lists it");
+    command->add_option("--most", options->mostTriangles, "Of the largest scene, at most")
+        ->check(CLI::Range(std::size_t{1000}, std::size_t{10000000}))
+        ->capture_default_str();
+    command->add_option("--repeats", options->repeats, "Measurements of which the median counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->callback([arguments, options] { show(bench::benchGrowth(*options), arguments->json); });
+}
+
 } // namespace
 
 void addBenchCommand(CLI::App& app) {
@@ -266,6 +324,7 @@ void addBenchCommand(CLI::App& app) {
     addTraceCommand(*command);
     addBuildCommand(*command);
     addRefitCommand(*command);
+    addGrowthCommand(*command);
 }
 
 } // namespace prizma

@@ -43,6 +43,14 @@ std::string RayQuery::deviceName() const {
     return state_->renderer->device().name;
 }
 
+TreeLayout RayQuery::layout() const {
+    return state_->renderer->layout();
+}
+
+std::uint64_t RayQuery::deviceBytes() const {
+    return state_->renderer->statistics(false).deviceBytes;
+}
+
 double RayQuery::treeWear() const {
     return state_->renderer->statistics(false).treeWear;
 }

@@ -31,6 +31,7 @@ class Renderer {
     ~Renderer();
 
     const DeviceInfo& device() const { return context_->info(); }
+    TreeLayout layout() const { return trees_.layout(); }
 
     /// The scene with what can be drawn now: meshes whose trees are still being built are taken out. The
     /// first call for a mesh starts its build.

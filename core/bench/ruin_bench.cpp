@@ -5,6 +5,7 @@
 #include "core/bench/statistics_of.h"
 #include "core/render/ray_query.h"
 #include "core/render/renderer.h"
+#include "core/render/worn_trees.h"
 
 #include <algorithm>
 #include <chrono>
@@ -115,9 +116,9 @@ Result<RenewalTimes> RenewalBench::run() {
                 time->milliseconds;
             break;
         }
-        if (isBuilding) {
+        if (isBuilding) { // or has just finished
             times.during = std::max(times.during, time->milliseconds);
-        } else if (renderer_->isBuildingTrees()) {
+        } else if (renderer_->statistics(false).treeWear > WornTrees::limit) {
             isBuilding = true;
             started = std::chrono::steady_clock::now();
             times.start = time->milliseconds;

@@ -101,16 +101,14 @@ Json toJson(const bench::RuinReport& report) {
                          {"wear", step.wear},
                          {"refitted", {{"camera", step.refitted.camera}, {"diffuse", step.refitted.diffuse}}},
                          {"rebuilt", {{"camera", step.rebuilt.camera}, {"diffuse", step.rebuilt.diffuse}}}});
-    const bench::RenewalTimes& renewal = report.renewal;
-    return {{"device", report.device},
-            {"triangles", report.triangles},
-            {"steps", std::move(steps)},
-            {"renewal",
-             {{"frame", renewal.frame},
-              {"start", renewal.start},
-              {"during", renewal.during},
-              {"swap", renewal.swap},
-              {"build", renewal.build}}}};
+    Json result{{"device", report.device}, {"triangles", report.triangles}, {"steps", std::move(steps)}};
+    if (const auto& renewal = report.renewal)
+        result["renewal"] = {{"frame", renewal->frame},
+                             {"start", renewal->start},
+                             {"during", renewal->during},
+                             {"swap", renewal->swap},
+                             {"build", renewal->build}};
+    return result;
 }
 
 Json toJson(const bench::GrowthReport& report) {
@@ -174,11 +172,11 @@ void print(const bench::RuinReport& report) {
                    step.flown, step.wear, step.refitted.camera, step.rebuilt.camera,
                    step.refitted.camera / step.rebuilt.camera, step.refitted.diffuse, step.rebuilt.diffuse,
                    step.refitted.diffuse / step.rebuilt.diffuse);
-    const bench::RenewalTimes& renewal = report.renewal;
-    fmt::print("A new tree in the background: a usual frame's update {:.1f} ms, the one that starts the "
-               "build {:.1f}, the "
-               "slowest meanwhile {:.1f}, the swap {:.1f}; {:.0f} ms from start to swap\n",
-               renewal.frame, renewal.start, renewal.during, renewal.swap, renewal.build);
+    if (const auto& renewal = report.renewal)
+        fmt::print(
+            "A new tree in the background: a usual frame's update {:.1f} ms, the one that starts the "
+            "build {:.1f}, the slowest meanwhile {:.1f}, the swap {:.1f}; {:.0f} ms from start to swap\n",
+            renewal->frame, renewal->start, renewal->during, renewal->swap, renewal->build);
 }
 
 /// A time and, where Embree was measured, the ratio to its own.

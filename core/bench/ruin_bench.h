@@ -4,6 +4,7 @@
 #include "core/scene/scene.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,7 @@ struct RuinReport {
     std::string device;
     std::size_t triangles = 0;
     std::vector<RuinStep> steps;
-    RenewalTimes renewal;
+    std::optional<RenewalTimes> renewal; ///< Nothing if a slow start of the flight wears no tree out.
 };
 
 /// Measures what refitting does to trees whose parts fly apart (makeFlyingApart): where a new tree pays.

@@ -35,7 +35,7 @@ Scene sceneOf(const Arguments& arguments) {
         return bench::makeProceduralScene(arguments.instanced ? bench::ProceduralForm::Instances
                                                               : bench::ProceduralForm::OneMesh,
                                           arguments.triangles);
-    auto scene = loadScene(arguments.file, "y", double(arguments.trace.width) / arguments.trace.height);
+    auto scene = loadScene(arguments.file, "y", 16.0 / 9.0);
     if (!scene)
         fail(scene.error());
     return std::move(*scene);
@@ -45,6 +45,8 @@ Json toJson(const bench::TraceReport& report) {
     Json results = Json::array();
     for (const bench::TraceResult& result : report.results) {
         Json item{{"rays", result.rays},
+                  {"width", result.width},
+                  {"height", result.height},
                   {"count", result.rayCount},
                   {"mraysPerSecond", result.mraysPerSecond},
                   {"mismatches", result.mismatches},
@@ -123,14 +125,16 @@ Json toJson(const bench::GrowthReport& report) {
 
 void print(const bench::TraceReport& report) {
     fmt::print("{}, {} triangles; Mrays/s, medians\n", report.device, report.triangles);
-    fmt::print("{:<8} {:>8} {:>9} {:>10} {:>6}", "rays", "count", "Mrays/s", "mismatches", "wrong");
+    fmt::print("{:<8} {:>9} {:>8} {:>9} {:>10} {:>6}", "rays", "picture", "count", "Mrays/s", "mismatches",
+               "wrong");
     const bool hasEmbree = !report.results.empty() && report.results.front().embree;
     if (hasEmbree)
         fmt::print(" | Embree: {:>7} {:>8} {:>7} {:>8} | {:>6} {:>6}", "single", "packets", "robust",
                    "packets", "ratio", "robust");
     fmt::print("\n");
     for (const bench::TraceResult& result : report.results) {
-        fmt::print("{:<8} {:>8} {:>9.2f} {:>10} {:>6}", result.rays, result.rayCount, result.mraysPerSecond,
+        fmt::print("{:<8} {:>9} {:>8} {:>9.2f} {:>10} {:>6}", result.rays,
+                   fmt::format("{}x{}", result.width, result.height), result.rayCount, result.mraysPerSecond,
                    result.mismatches, result.wrong);
         if (result.embree)
             fmt::print(" | {:>15.2f} {:>8.2f} {:>7.2f} {:>8.2f} | {:>6.2f} {:>6.2f}", result.embree->single,
@@ -233,11 +237,13 @@ void addTraceCommand(CLI::App& bench) {
     addCommonOptions(*command, *arguments);
     command->add_option("--device", arguments->trace.deviceId, "OpenCL device, as \"devices\" lists it");
     command->add_option("--width", arguments->trace.width, "Of the picture whose camera rays are traced")
-        ->check(CLI::Range(1, 16384))
-        ->capture_default_str();
-    command->add_option("--height", arguments->trace.height, "Its height")
-        ->check(CLI::Range(1, 16384))
-        ->capture_default_str();
+        ->check(CLI::Range(1, 16384));
+    command
+        ->add_option(
+            "--height", arguments->trace.height,
+            "Its height; without: what suits the device, 1280 x 720 or, on graphics cards, 1920 x 1080 "
+            "and 3840 x 2160")
+        ->check(CLI::Range(1, 16384));
     command->callback([arguments] {
         arguments->trace.repeats = arguments->repeats;
         show(bench::benchTrace(sceneOf(*arguments), arguments->trace), arguments->json);

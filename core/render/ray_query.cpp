@@ -72,6 +72,10 @@ double RayQuery::treeWear() const {
     return state_->renderer->statistics(false).treeWear;
 }
 
+DeviceType RayQuery::deviceType() const {
+    return state_->renderer->device().type;
+}
+
 Result<void> RayQuery::setRays(std::span<const DeviceRay> rays) {
     Context& context = state_->renderer->context();
     state_->rayCount = rays.size();

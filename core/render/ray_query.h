@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bvh/device_layout.h"
+#include "core/compute/device.h"
 #include "core/diagnostic.h"
 #include "core/scene/scene.h"
 #include "kernels/device_types.h"
@@ -40,6 +41,7 @@ class RayQuery {
     glm::dvec3 origin() const;
 
     std::string deviceName() const;
+    DeviceType deviceType() const;
 
     TreeLayout layout() const;
 

@@ -74,6 +74,21 @@ class QcImporter {
         return builder_.finish(&textures);
     }
 
+    std::set<std::string> files() const {
+        std::set<std::string> files;
+        const auto add = [&](const std::string& name, const char* extension) {
+            if (auto found = find(name, extension))
+                files.insert(std::move(*found));
+        };
+        for (const QcBody& body : qc_.bodies) {
+            add(body.file, "smd");
+            add(body.flexFile, "vta");
+        }
+        for (const QcSequence& sequence : qc_.sequences)
+            add(sequence.file, "smd");
+        return files;
+    }
+
   private:
     /// A file that the script names, with the extension that it may leave out.
     Result<std::string> find(const std::string& name, const std::string& extension) const {
@@ -260,6 +275,12 @@ Result<ImportedModel> importQcClips(const std::string& file, const ImportOptions
     if (!qc)
         return std::unexpected(qc.error());
     return QcImporter(file, std::move(*qc), options, progress).import(false);
+}
+
+std::set<std::string> filesOfQc(const std::string& file) {
+    auto qc = readQcFile(file);
+    Progress progress;
+    return qc ? QcImporter(file, std::move(*qc), {}, progress).files() : std::set<std::string>();
 }
 
 SmdSpace spaceOfQc(const std::string& file) {

@@ -17,7 +17,7 @@ struct RaySet {
     std::span<const DeviceRay> rays;
     RayQueryMode mode;
 
-    bool anyHit() const { return mode == RayQueryMode::Any; }
+    bool anyHit() const { return isOcclusion(mode); }
 };
 
 /// Whether two hits of a ray are at different places. On one and the same triangle they are not: what is left
@@ -88,13 +88,14 @@ class TraceBench {
           tracer_(scene),
           judge_(scene, tracer_, origin_),
           fast_(EmbreePeer::create(scene, origin_, false)),
-          robust_(EmbreePeer::create(scene, origin_, true)) {
-        sets_ = makeRaySets(scene, tracer_, origin_, options.width, options.height);
-    }
+          robust_(EmbreePeer::create(scene, origin_, true)),
+          scene_(scene) {}
 
     Result<TraceReport> run();
 
   private:
+    std::vector<glm::ivec2> sizes() const;
+    Result<void> measureSize(const glm::ivec2& size, TraceReport& report);
     Result<TraceResult> measureSet(const RaySet& set);
     Result<void> compare(const RaySet& set, TraceResult& result);
 
@@ -105,7 +106,7 @@ class TraceBench {
     Judge judge_;
     std::unique_ptr<EmbreePeer> fast_;
     std::unique_ptr<EmbreePeer> robust_;
-    RaySets sets_;
+    const Scene& scene_;
 };
 
 Result<void> TraceBench::compare(const RaySet& set, TraceResult& result) {
@@ -131,7 +132,8 @@ Result<TraceResult> TraceBench::measureSet(const RaySet& set) {
         return std::unexpected(ok.error());
     if (auto warmUp = query_.trace(set.mode); !warmUp) // the kernel's first launch compiles it
         return std::unexpected(warmUp.error());
-    const bool coherent = set.mode == RayQueryMode::ClosestPacket;
+    // Embree traces shadow packets faster when told that they are coherent, and diffuse ones slower.
+    const bool coherent = set.mode != RayQueryMode::Closest;
     const auto rate = [&](double milliseconds) {
         return static_cast<double>(set.rays.size()) / std::max(milliseconds, 1e-6) * 1e-3;
     };
@@ -164,20 +166,40 @@ Result<TraceResult> TraceBench::measureSet(const RaySet& set) {
     return result;
 }
 
-Result<TraceReport> TraceBench::run() {
-    TraceReport report;
-    report.device = query_.deviceName();
-    const RaySet sets[] = {{"camera", sets_.camera, RayQueryMode::ClosestPacket},
-                           {"diffuse", sets_.diffuse, RayQueryMode::Closest},
-                           {"shadow", sets_.shadow, RayQueryMode::Any}};
+std::vector<glm::ivec2> TraceBench::sizes() const {
+    if (options_.width > 0 && options_.height > 0)
+        return {{options_.width, options_.height}};
+    if (query_.deviceType() == DeviceType::Gpu)
+        return {{1920, 1080}, {3840, 2160}};
+    return {{1280, 720}};
+}
+
+Result<void> TraceBench::measureSize(const glm::ivec2& size, TraceReport& report) {
+    const RaySets rays = makeRaySets(scene_, tracer_, origin_, size.x, size.y);
+    const RaySet sets[] = {{"camera", rays.camera, RayQueryMode::ClosestPacket},
+                           {"diffuse", rays.diffuse, RayQueryMode::Closest},
+                           {"shadow", rays.shadow, RayQueryMode::AnyPacket}};
     for (const RaySet& set : sets) {
         if (set.rays.empty()) // the camera sees nothing that could bounce a ray
             continue;
         auto result = measureSet(set);
         if (!result)
             return std::unexpected(result.error());
+        result->width = size.x;
+        result->height = size.y;
         report.results.push_back(std::move(*result));
     }
+    return {};
+}
+
+Result<TraceReport> TraceBench::run() {
+    TraceReport report;
+    report.device = query_.deviceName();
+    report.layout = query_.layout();
+    report.deviceBytes = query_.deviceBytes();
+    for (const glm::ivec2& size : sizes())
+        if (auto ok = measureSize(size, report); !ok)
+            return std::unexpected(ok.error());
     return report;
 }
 

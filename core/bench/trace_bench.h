@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bvh/device_layout.h"
 #include "core/diagnostic.h"
 #include "core/scene/scene.h"
 
@@ -12,8 +13,10 @@ namespace prizma::bench {
 
 struct TraceBenchOptions {
     std::string deviceId; ///< Empty: the default device.
-    int width = 1280;     ///< Of the picture whose camera rays are traced.
-    int height = 720;
+    /// Of the picture whose camera rays are traced; 0: 1280 x 720 on processors, 1920 x 1080 and then 3840 x
+    /// 2160 on graphics cards, which small pictures do not fill.
+    int width = 0;
+    int height = 0;
     int repeats = 5; ///< Rates are medians of this many; ours and Embree's take turns.
 };
 
@@ -27,6 +30,7 @@ struct EmbreeRates {
 
 struct TraceResult {
     std::string rays; ///< "camera", "diffuse" or "shadow".
+    int width = 0, height = 0;
     std::size_t rayCount = 0;
     double mraysPerSecond = 0.0;
     /// Rays that end elsewhere than in Embree's robust mode (without Embree: than in the reference tracer):
@@ -41,7 +45,9 @@ struct TraceResult {
 
 struct TraceReport {
     std::string device;
-    std::size_t triangles = 0; ///< As instanced in the scene.
+    TreeLayout layout = TreeLayout::Wide8; ///< That the device was given.
+    std::size_t triangles = 0;             ///< As instanced in the scene.
+    std::uint64_t deviceBytes = 0;         ///< Of the scene on the device: trees, vertices, materials.
     std::vector<TraceResult> results;
 };
 

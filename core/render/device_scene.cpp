@@ -2,14 +2,12 @@
 
 #include "core/animation/pose.h"
 
+#include <algorithm>
+
 namespace prizma {
 namespace {
 
 constexpr std::size_t geometryGroupSize = 64;
-
-std::size_t leafPlaces(const DeviceTree& tree) {
-    return tree.layout == TreeLayout::Wide8 ? tree.wideLeaves.size() * 8 : tree.binaryTriangles.size();
-}
 
 std::vector<float> boneRows(const std::vector<glm::mat4>& matrices) {
     std::vector<float> rows;
@@ -34,19 +32,52 @@ Result<void> DeviceScene::run(const PlannedStage& stage, const Scene& scene, con
         return materials_.updateMaterials(context_, scene);
     case Stage::Lights:
         return materials_.updateLights(context_, scene, anchor);
+    case Stage::NewTrees:
+        return replaceTrees(stage, trees, state);
     case Stage::Poses:
         return pose(stage, scene, state);
     case Stage::VertexShader:
         return shadeVertices(stage);
     case Stage::TriangleShader:
-        return shadeTriangles(stage);
+        return refitter_.shadeTriangles(context_, kernels_, geometry_, stage.objects);
     case Stage::RefitTreeShader:
-        return refit(stage);
+        return refit(stage, trees);
     case Stage::TopLevel:
         return instances_.update(context_, scene, geometry_, materials_, anchor);
     default:
         return {};
     }
+}
+
+Result<void> DeviceScene::refit(const PlannedStage& stage, TreeStore& trees) {
+    if (auto ok = refitter_.refit(context_, kernels_, geometry_, stage.objects); !ok)
+        return ok;
+    return renewTrees_ ? wornTrees_.watch(context_, geometry_, stage.objects, trees) : Result<void>{};
+}
+
+Result<void> DeviceScene::replaceTrees(const PlannedStage& stage, TreeStore& trees, DeviceState& state) {
+    for (const Id id : stage.objects) {
+        if (auto ok = wornTrees_.replace(context_, geometry_, id, trees); !ok)
+            return ok;
+        state.newTrees.erase(id);
+    }
+    return {};
+}
+
+std::set<Id> DeviceScene::newTrees(TreeStore& trees, std::vector<MeshPtr>& inWork) {
+    const std::set<Id> objects = wornTrees_.ready(geometry_, trees);
+    for (const MeshPtr& mesh : wornTrees_.meshes())
+        inWork.push_back(mesh);
+    return objects;
+}
+
+double DeviceScene::treeWear() const {
+    if (geometry_.posedPlaces().empty())
+        return 1.0;
+    double wear = 0.0;
+    for (const auto& [id, posed] : geometry_.posedPlaces())
+        wear = std::max(wear, posed.wear());
+    return wear;
 }
 
 void DeviceScene::removeAllBut(const std::set<Id>& objects) {
@@ -64,6 +95,10 @@ void DeviceScene::setSceneArguments(Kernel& kernel) const {
                         geometry_.triangles(), instances_.slots(), materials_.materials(),
                         materials_.textures(), materials_.texels(), materials_.lights(),
                         materials_.lightCount());
+}
+
+Result<std::vector<glm::vec3>> DeviceScene::posedPositions(Id object) const {
+    return geometry_.readPosedPositions(context_, object);
 }
 
 Result<void> DeviceScene::uploadGeometry(const PlannedStage& stage, const Scene& scene, TreeStore& trees,
@@ -105,72 +140,6 @@ Result<void> DeviceScene::shadeVertices(const PlannedStage& stage) {
                             bones_.at(id));
         if (const auto launched = kernel.launch(context_, count, geometryGroupSize); !launched)
             return std::unexpected(launched.error());
-    }
-    return {};
-}
-
-Result<void> DeviceScene::shadeTriangles(const PlannedStage& stage) {
-    for (const Id id : stage.objects) {
-        const ObjectPlace place = geometry_.placeOf(id);
-        const auto places = static_cast<std::uint32_t>(leafPlaces(*place.mesh->tree));
-        Kernel& kernel = kernels_.triangleShader;
-        kernel.setArguments(geometry_.leaves(), place.posed->leafBase, places, geometry_.triangles(),
-                            place.mesh->triangleBase, geometry_.positions(), place.posed->vertexBase);
-        if (const auto launched = kernel.launch(context_, places, geometryGroupSize); !launched)
-            return std::unexpected(launched.error());
-    }
-    return {};
-}
-
-Result<void> DeviceScene::refit(const PlannedStage& stage) {
-    // Levels of all objects concatenated: one launch a level, however many objects move.
-    std::vector<DeviceRefitEntry> entries;
-    std::vector<std::size_t> levelEnds;
-    for (std::size_t level = 0;; ++level) {
-        const std::size_t before = entries.size();
-        for (const Id id : stage.objects) {
-            const ObjectPlace place = geometry_.placeOf(id);
-            const auto& levels = place.mesh->tree->refitLevels;
-            if (level < levels.size())
-                for (const std::uint32_t node : levels[level])
-                    entries.push_back({node, place.posed->nodeBase, place.posed->leafBase});
-        }
-        if (entries.size() == before)
-            break;
-        levelEnds.push_back(entries.size());
-    }
-    if (auto ok = refitEntries_.assign(context_, entries, "refit levels"); !ok)
-        return ok;
-    std::size_t first = 0;
-    for (const std::size_t end : levelEnds) {
-        Kernel& kernel = kernels_.refitTreeShader;
-        kernel.setArguments(geometry_.nodes(), geometry_.leaves(), refitEntries_,
-                            static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first));
-        if (const auto launched = kernel.launch(context_, end - first, geometryGroupSize); !launched)
-            return std::unexpected(launched.error());
-        first = end;
-    }
-    return readRootBounds(stage);
-}
-
-Result<void> DeviceScene::readRootBounds(const PlannedStage& stage) {
-    std::vector<std::uint32_t> roots;
-    for (const Id id : stage.objects)
-        roots.push_back(geometry_.placeOf(id).posed->nodeBase);
-    if (auto ok = roots_.assign(context_, roots, "roots"); !ok)
-        return ok;
-    if (auto ok = rootBounds_.reserve(context_, 6 * roots.size(), "bounds"); !ok)
-        return ok;
-    Kernel& kernel = kernels_.gatherRootBounds;
-    kernel.setArguments(geometry_.nodes(), roots_, rootBounds_, static_cast<std::uint32_t>(roots.size()));
-    if (const auto launched = kernel.launch(context_, roots.size(), geometryGroupSize); !launched)
-        return std::unexpected(launched.error());
-    std::vector<float> values(6 * roots.size());
-    if (auto ok = rootBounds_.read(context_, values, 0, "bounds"); !ok)
-        return ok;
-    for (std::size_t i = 0; i < roots.size(); ++i) {
-        const float* v = &values[6 * i];
-        geometry_.posedPlaceOf(stage.objects[i])->bounds = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
     }
     return {};
 }

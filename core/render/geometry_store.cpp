@@ -1,5 +1,6 @@
 #include "core/render/geometry_store.h"
 
+#include "core/bvh/tree_cost.h"
 #include "core/render/render_plan.h"
 
 namespace prizma {
@@ -101,15 +102,69 @@ Result<MeshPlace*> GeometryStore::addMesh(Context& context, const MeshPtr& mesh,
 
 Result<void> GeometryStore::addPosed(Context& context, Id object, const MeshPlace& place) {
     PosedPlace posed;
+    posed.tree = place.tree;
     posed.bounds = place.mesh->bounds;
+    posed.cost = posed.builtCost = treeCost(*place.tree);
     Steps steps;
     steps.run(posed.vertexBase, [&] { return addVertices(context, *place.mesh); });
-    steps.run(posed.nodeBase, [&] { return addNodes(context, *place.tree); });
-    steps.run(posed.leafBase, [&] { return addLeaves(context, *place.tree); });
     if (auto ok = steps.result(); !ok)
         return ok;
+    if (auto ok = placeTree(context, posed, *place.tree); !ok)
+        return ok;
     posed_.insert_or_assign(object, posed);
+    ++posedRevision_;
+    return writeTree(context, posed, *place.tree);
+}
+
+/// Finds room for a tree and for somewhat larger ones after it.
+Result<void> GeometryStore::placeTree(Context& context, PosedPlace& posed, const DeviceTree& tree) {
+    const auto withSpare = [](std::size_t count) { return static_cast<std::uint32_t>(count + count / 8); };
+    const std::uint32_t nodes = withSpare(nodeCount(tree));
+    const std::uint32_t leaves = withSpare(leafCount(tree));
+    const bool isWide = layout_ == TreeLayout::Wide8;
+    const auto nodeBase =
+        isWide ? wideNodes_.allocate(context, nodes) : binaryNodes_.allocate(context, nodes);
+    if (!nodeBase)
+        return std::unexpected(nodeBase.error());
+    const auto leafBase =
+        isWide ? wideLeaves_.allocate(context, leaves) : binaryTriangles_.allocate(context, leaves);
+    if (!leafBase) {
+        releaseTree(*nodeBase, nodes, 0, 0);
+        return std::unexpected(leafBase.error());
+    }
+    posed.nodeBase = *nodeBase;
+    posed.nodeRoom = nodes;
+    posed.leafBase = *leafBase;
+    posed.leafRoom = leaves;
     return {};
+}
+
+Result<void> GeometryStore::writeTree(Context& context, const PosedPlace& posed, const DeviceTree& tree) {
+    if (layout_ == TreeLayout::Wide8) {
+        if (auto ok = wideNodes_.write(context, tree.wideNodes, posed.nodeBase); !ok)
+            return ok;
+        return wideLeaves_.write(context, tree.wideLeaves, posed.leafBase);
+    }
+    if (auto ok = binaryNodes_.write(context, tree.binaryNodes, posed.nodeBase); !ok)
+        return ok;
+    return binaryTriangles_.write(context, tree.binaryTriangles, posed.leafBase);
+}
+
+Result<bool> GeometryStore::replaceTree(Context& context, Id object, const DeviceTreePtr& tree) {
+    PosedPlace& posed = posed_.at(object);
+    if (nodeCount(*tree) > posed.nodeRoom || leafCount(*tree) > posed.leafRoom) {
+        PosedPlace larger = posed;
+        if (!placeTree(context, larger, *tree))
+            return false;
+        releaseTree(posed.nodeBase, posed.nodeRoom, posed.leafBase, posed.leafRoom);
+        posed = larger;
+    }
+    posed.tree = tree;
+    posed.cost = posed.builtCost = treeCost(*tree);
+    ++posedRevision_;
+    if (auto ok = writeTree(context, posed, *tree); !ok)
+        return std::unexpected(ok.error());
+    return true;
 }
 
 Result<void> GeometryStore::add(Context& context, const Object& object, const DeviceTreePtr& tree) {
@@ -134,6 +189,7 @@ void GeometryStore::remove(Id object) {
     if (const auto posed = posed_.find(object); posed != posed_.end()) {
         releasePosed(posed->second, place);
         posed_.erase(posed);
+        ++posedRevision_;
     }
     objects_.erase(found);
     if (--place.users == 0) {
@@ -151,22 +207,31 @@ void GeometryStore::removeAllBut(const std::set<Id>& objects) {
         remove(id);
 }
 
-void GeometryStore::releasePosed(const PosedPlace& posed, const MeshPlace& place) {
-    const std::size_t vertices = place.mesh->positions.size();
-    positions_.release(3 * posed.vertexBase, 3 * vertices);
-    normals_.release(3 * posed.vertexBase, 3 * vertices);
-    texCoords_.release(2 * posed.vertexBase, 2 * vertices);
+void GeometryStore::releaseVertices(std::uint32_t first, std::size_t count) {
+    positions_.release(3 * first, 3 * count);
+    normals_.release(3 * first, 3 * count);
+    texCoords_.release(2 * first, 2 * count);
+}
+
+void GeometryStore::releaseTree(std::uint32_t nodeBase, std::size_t nodes, std::uint32_t leafBase,
+                                std::size_t leaves) {
     if (layout_ == TreeLayout::Wide8) {
-        wideNodes_.release(posed.nodeBase, place.tree->wideNodes.size());
-        wideLeaves_.release(posed.leafBase, place.tree->wideLeaves.size());
+        wideNodes_.release(nodeBase, nodes);
+        wideLeaves_.release(leafBase, leaves);
     } else {
-        binaryNodes_.release(posed.nodeBase, place.tree->binaryNodes.size());
-        binaryTriangles_.release(posed.leafBase, place.tree->binaryTriangles.size());
+        binaryNodes_.release(nodeBase, nodes);
+        binaryTriangles_.release(leafBase, leaves);
     }
 }
 
+void GeometryStore::releasePosed(const PosedPlace& posed, const MeshPlace& place) {
+    releaseVertices(posed.vertexBase, place.mesh->positions.size());
+    releaseTree(posed.nodeBase, posed.nodeRoom, posed.leafBase, posed.leafRoom);
+}
+
 void GeometryStore::releaseMesh(const MeshPlace& place) {
-    releasePosed({place.vertexBase, place.nodeBase, place.leafBase, {}}, place);
+    releaseVertices(place.vertexBase, place.mesh->positions.size());
+    releaseTree(place.nodeBase, nodeCount(*place.tree), place.leafBase, leafCount(*place.tree));
     triangles_.release(place.triangleBase, place.mesh->triangles.size());
     if (place.mesh->isSkinned()) {
         firstInfluences_.release(place.firstInfluenceBase, place.mesh->firstInfluence.size());
@@ -185,6 +250,18 @@ ObjectPlace GeometryStore::placeOf(Id object) const {
 PosedPlace* GeometryStore::posedPlaceOf(Id object) {
     const auto posed = posed_.find(object);
     return posed == posed_.end() ? nullptr : &posed->second;
+}
+
+Result<std::vector<glm::vec3>> GeometryStore::readPosedPositions(Context& context, Id object) const {
+    const ObjectPlace place = placeOf(object);
+    if (!place.posed)
+        return failure("The object is not posed on the device.");
+    std::vector<glm::vec3> vertices(place.mesh->mesh->positions.size());
+    const std::span<float> values(reinterpret_cast<float*>(vertices.data()), 3 * vertices.size());
+    if (auto ok = positions().read(context, values, std::size_t{3} * place.posed->vertexBase, "vertices");
+        !ok)
+        return std::unexpected(ok.error());
+    return vertices;
 }
 
 Result<void> GeometryStore::ensure(Context& context) {
@@ -207,6 +284,10 @@ Result<void> GeometryStore::ensure(Context& context) {
         ensureOne(binaryTriangles_);
     }
     return ok;
+}
+
+std::size_t GeometryStore::nodeCapacity() const {
+    return layout_ == TreeLayout::Wide8 ? wideNodes_.buffer().capacity() : binaryNodes_.buffer().capacity();
 }
 
 cl_mem GeometryStore::nodes() const {

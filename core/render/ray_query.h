@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/bvh/device_layout.h"
+#include "core/compute/device.h"
 #include "core/diagnostic.h"
 #include "core/scene/scene.h"
 #include "kernels/device_types.h"
@@ -40,6 +41,15 @@ class RayQuery {
     glm::dvec3 origin() const;
 
     std::string deviceName() const;
+    DeviceType deviceType() const;
+
+    TreeLayout layout() const;
+
+    /// What the scene's buffers take on the device.
+    std::uint64_t deviceBytes() const;
+
+    /// RenderStatistics::treeWear: how much worse than when built the most worn of the refitted trees is.
+    double treeWear() const;
 
     /// Puts the rays on the device once, so that repeated `trace` calls measure tracing only.
     Result<void> setRays(std::span<const DeviceRay> rays);

@@ -75,6 +75,7 @@ class RenderPlanTest : public QObject {
     void hiddenObjectTouchesTopLevelOnly();
     void hiddenObjectIsNotPosed();
     void timeMovesPosedObjectsOnly();
+    void newTreeKeepsThePicture();
     void newObjectIsUploadedAlone();
     void nameIsNotInThePicture();
     void farCameraMovesTheAnchor();
@@ -190,6 +191,26 @@ void RenderPlanTest::timeMovesPosedObjectsOnly() {
     Scene later = still;
     later.timeline.frame = 12.0;
     QVERIFY(planAfter(still, later).isEmpty());
+}
+
+void RenderPlanTest::newTreeKeepsThePicture() {
+    Scene scene = makeScene();
+    const Id bender = scene.objects[2].id;
+    DeviceState state = drawn(scene);
+    state.newTrees = {bender, scene.objects[0].id, noId}; // the others are not posed, or gone
+    const RenderPlan plan = makePlan(state, scene, 640, 480);
+    QVERIFY(!plan.restarts);
+    QCOMPARE(stagesOf(plan), (std::vector<Stage>{Stage::NewTrees, Stage::TriangleShader,
+                                                 Stage::RefitTreeShader, Stage::TopLevel}));
+    for (const Stage stage : {Stage::NewTrees, Stage::TriangleShader, Stage::RefitTreeShader})
+        QCOMPARE(plan.find(stage)->objects, std::vector<Id>{bender});
+
+    state.samples = 5; // the next sample comes with it
+    QVERIFY(makePlan(state, scene, 640, 480).find(Stage::RayShader));
+    QVERIFY(!makePlan(state, scene, 640, 480).restarts);
+
+    scene.objects.edit()[2].visible = false;
+    QVERIFY(!makePlan(state, scene, 640, 480).find(Stage::NewTrees));
 }
 
 void RenderPlanTest::newObjectIsUploadedAlone() {

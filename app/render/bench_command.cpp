@@ -35,7 +35,7 @@ Scene sceneOf(const Arguments& arguments) {
         return bench::makeProceduralScene(arguments.instanced ? bench::ProceduralForm::Instances
                                                               : bench::ProceduralForm::OneMesh,
                                           arguments.triangles);
-    auto scene = loadScene(arguments.file, "y", 16.0 / 9.0);
+    auto scene = loadScene(arguments.file, {}, 16.0 / 9.0);
     if (!scene)
         fail(scene.error());
     return std::move(*scene);

@@ -75,6 +75,12 @@ bool SceneDiff::isEmpty() const {
     return *this == SceneDiff{};
 }
 
+bool SceneDiff::isTimeOnly() const {
+    SceneDiff rest = *this;
+    rest.time = false;
+    return time && rest.isEmpty();
+}
+
 SceneDiff diff(const Scene& before, const Scene& after) {
     SceneDiff changes;
     diffObjects(before.objects, after.objects, changes);

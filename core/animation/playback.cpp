@@ -1,0 +1,104 @@
+#include "core/animation/playback.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace prizma {
+namespace {
+
+/// `value` modulo `period`, in [0, period) also for negative values.
+double wrapped(double value, double period) {
+    const double rest = value - std::floor(value / period) * period;
+    return rest < period ? rest : 0.0; // rounding may give the period itself
+}
+
+} // namespace
+
+void Playback::setRange(const Timeline& timeline, double now) {
+    settle(now);
+    start_ = timeline.start;
+    end_ = std::max(timeline.start, timeline.end);
+    fps_ = std::isfinite(timeline.fps) ? std::max(timeline.fps, 0.0) : 0.0;
+    place_.frame = clamped(place_.frame);
+}
+
+void Playback::setSpeed(double speed, double now) {
+    settle(now);
+    speed_ = std::isfinite(speed) ? speed : 0.0;
+}
+
+void Playback::setLoopMode(LoopMode mode, double now) {
+    settle(now);
+    mode_ = mode;
+    place_ = {clamped(place_.frame), false};
+}
+
+void Playback::play(double frame, double now) {
+    seek(frame, now);
+    playing_ = true;
+    if (isOver(now))
+        place_.frame = speed_ < 0.0 ? end_ : start_;
+}
+
+void Playback::pause(double now) {
+    settle(now);
+    playing_ = false;
+}
+
+void Playback::seek(double frame, double now) {
+    settle(now);
+    place_.frame = clamped(frame);
+}
+
+double Playback::frameAt(double now) const {
+    return placeAt(now).frame;
+}
+
+bool Playback::isOver(double now) const {
+    const double frame = frameAt(now);
+    return mode_ == LoopMode::Once && ((speed_ > 0.0 && frame >= end_) || (speed_ < 0.0 && frame <= start_));
+}
+
+double Playback::clamped(double frame) const {
+    if (!std::isfinite(frame))
+        return start_;
+    // A loop goes on behind the last frame until it is over.
+    const double last = mode_ == LoopMode::Loop ? std::nextafter(end_ + 1.0, start_) : end_;
+    return std::clamp(frame, start_, last);
+}
+
+Playback::Place Playback::placeAt(double now) const {
+    if (!playing_)
+        return place_;
+    const double distance = (now - since_) * fps_ * speed_;
+    switch (mode_) {
+    case LoopMode::Loop:
+        return {loop(distance), false};
+    case LoopMode::PingPong:
+        return pingPong(distance);
+    case LoopMode::Once:
+        break;
+    }
+    return {clamped(place_.frame + distance), false};
+}
+
+double Playback::loop(double distance) const {
+    return start_ + wrapped(place_.frame - start_ + distance, length() + 1.0);
+}
+
+/// The way there and back as one way of twice the length.
+Playback::Place Playback::pingPong(double distance) const {
+    if (length() == 0.0)
+        return {start_, false};
+    const double there = place_.frame - start_;
+    const double way =
+        wrapped((place_.returning ? 2.0 * length() - there : there) + distance, 2.0 * length());
+    return way <= length() ? Place{start_ + way, false} : Place{start_ + 2.0 * length() - way, true};
+}
+
+void Playback::settle(double now) {
+    place_ = placeAt(now);
+    since_ = now;
+}
+
+} // namespace prizma

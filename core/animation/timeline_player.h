@@ -4,7 +4,7 @@
 
 namespace prizma {
 
-enum class LoopMode {
+enum class PlayMode {
     Loop,    ///< After the last frame comes the first.
     Once,    ///< Stops at the last frame.
     PingPong ///< Forwards and backwards in turn.
@@ -16,7 +16,7 @@ enum class LoopMode {
 ///
 /// A loop lasts `end - start + 1` frames, as long as a clip of that many keys: between the last frame and the
 /// first, a looping clip's last key blends into its first one.
-class Playback {
+class TimelinePlayer {
   public:
     /// Takes the range and the frame rate from `timeline`; its frame does not count. An end before the start
     /// counts as the start.
@@ -26,8 +26,8 @@ class Playback {
     void setSpeed(double speed, double now);
     double speed() const { return speed_; }
 
-    void setLoopMode(LoopMode mode, double now);
-    LoopMode loopMode() const { return mode_; }
+    void setPlayMode(PlayMode mode, double now);
+    PlayMode playMode() const { return mode_; }
 
     /// Plays from `frame` on, or from the range's other end if `frame` is where there is nothing left to
     /// play.
@@ -62,7 +62,7 @@ class Playback {
     double end_ = 0.0;
     double fps_ = 30.0;
     double speed_ = 1.0;
-    LoopMode mode_ = LoopMode::Loop;
+    PlayMode mode_ = PlayMode::Loop;
     bool playing_ = false;
     Place place_; ///< At `since_`.
     double since_ = 0.0;

@@ -1,4 +1,4 @@
-#include "core/animation/playback.h"
+#include "core/animation/timeline_player.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ double wrapped(double value, double period) {
 
 } // namespace
 
-void Playback::setRange(const Timeline& timeline, double now) {
+void TimelinePlayer::setRange(const Timeline& timeline, double now) {
     settle(now);
     start_ = timeline.start;
     end_ = std::max(timeline.start, timeline.end);
@@ -22,72 +22,72 @@ void Playback::setRange(const Timeline& timeline, double now) {
     place_.frame = clamped(place_.frame);
 }
 
-void Playback::setSpeed(double speed, double now) {
+void TimelinePlayer::setSpeed(double speed, double now) {
     settle(now);
     speed_ = std::isfinite(speed) ? speed : 0.0;
 }
 
-void Playback::setLoopMode(LoopMode mode, double now) {
+void TimelinePlayer::setPlayMode(PlayMode mode, double now) {
     settle(now);
     mode_ = mode;
     place_ = {clamped(place_.frame), false};
 }
 
-void Playback::play(double frame, double now) {
+void TimelinePlayer::play(double frame, double now) {
     seek(frame, now);
     playing_ = true;
     if (isOver(now))
         place_.frame = speed_ < 0.0 ? end_ : start_;
 }
 
-void Playback::pause(double now) {
+void TimelinePlayer::pause(double now) {
     settle(now);
     playing_ = false;
 }
 
-void Playback::seek(double frame, double now) {
+void TimelinePlayer::seek(double frame, double now) {
     settle(now);
     place_.frame = clamped(frame);
 }
 
-double Playback::frameAt(double now) const {
+double TimelinePlayer::frameAt(double now) const {
     return placeAt(now).frame;
 }
 
-bool Playback::isOver(double now) const {
+bool TimelinePlayer::isOver(double now) const {
     const double frame = frameAt(now);
-    return mode_ == LoopMode::Once && ((speed_ > 0.0 && frame >= end_) || (speed_ < 0.0 && frame <= start_));
+    return mode_ == PlayMode::Once && ((speed_ > 0.0 && frame >= end_) || (speed_ < 0.0 && frame <= start_));
 }
 
-double Playback::clamped(double frame) const {
+double TimelinePlayer::clamped(double frame) const {
     if (!std::isfinite(frame))
         return start_;
     // A loop goes on behind the last frame until it is over.
-    const double last = mode_ == LoopMode::Loop ? std::nextafter(end_ + 1.0, start_) : end_;
+    const double last = mode_ == PlayMode::Loop ? std::nextafter(end_ + 1.0, start_) : end_;
     return std::clamp(frame, start_, last);
 }
 
-Playback::Place Playback::placeAt(double now) const {
+TimelinePlayer::Place TimelinePlayer::placeAt(double now) const {
     if (!playing_)
         return place_;
     const double distance = (now - since_) * fps_ * speed_;
     switch (mode_) {
-    case LoopMode::Loop:
+    case PlayMode::Loop:
         return {loop(distance), false};
-    case LoopMode::PingPong:
+    case PlayMode::PingPong:
         return pingPong(distance);
-    case LoopMode::Once:
+    case PlayMode::Once:
         break;
     }
     return {clamped(place_.frame + distance), false};
 }
 
-double Playback::loop(double distance) const {
+double TimelinePlayer::loop(double distance) const {
     return start_ + wrapped(place_.frame - start_ + distance, length() + 1.0);
 }
 
 /// The way there and back as one way of twice the length.
-Playback::Place Playback::pingPong(double distance) const {
+TimelinePlayer::Place TimelinePlayer::pingPong(double distance) const {
     if (length() == 0.0)
         return {start_, false};
     const double there = place_.frame - start_;
@@ -96,7 +96,7 @@ Playback::Place Playback::pingPong(double distance) const {
     return way <= length() ? Place{start_ + way, false} : Place{start_ + 2.0 * length() - way, true};
 }
 
-void Playback::settle(double now) {
+void TimelinePlayer::settle(double now) {
     place_ = placeAt(now);
     since_ = now;
 }

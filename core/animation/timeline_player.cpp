@@ -15,10 +15,14 @@ double wrapped(double value, double period) {
 } // namespace
 
 void TimelinePlayer::setRange(const Timeline& timeline, double now) {
+    const double end = std::max(timeline.start, timeline.end);
+    const double fps = std::isfinite(timeline.fps) ? std::max(timeline.fps, 0.0) : 0.0;
+    if (timeline.start == start_ && end == end_ && fps == fps_)
+        return;
     settle(now);
     start_ = timeline.start;
-    end_ = std::max(timeline.start, timeline.end);
-    fps_ = std::isfinite(timeline.fps) ? std::max(timeline.fps, 0.0) : 0.0;
+    end_ = end;
+    fps_ = fps;
     place_.frame = clamped(place_.frame);
 }
 

@@ -1,4 +1,5 @@
 #include "app/render/command.h"
+#include "core/animation/posed_bounds.h"
 #include "core/import/model_importer.h"
 #include "core/project/project_file.h"
 

@@ -85,11 +85,11 @@ Result<void> DeviceScene::pose(const PlannedStage& stage, const Scene& scene, De
     for (const Id id : stage.objects) {
         const Object& object = *scene.findObject(id);
         const Skeleton& skeleton = *object.mesh->skeleton;
-        const Clip* clip = playingClip(object);
-        const Pose pose = clip ? evaluateClip(skeleton, *clip, scene.timeline.seconds()) : bindPose(skeleton);
+        PoseKey key = poseKeyOf(object, scene.timeline.seconds());
+        const Pose pose = evaluatePose(skeleton, key);
         if (auto ok = bones_[id].assign(context_, boneRows(skinningMatrices(skeleton, pose)), "pose"); !ok)
             return ok;
-        state.poses[id] = poseKeyOf(object, scene.timeline);
+        state.poses[id] = std::move(key);
     }
     return {};
 }

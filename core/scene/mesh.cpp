@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace prizma {
 namespace {
@@ -28,6 +29,20 @@ std::string findSkinningFault(const Mesh& mesh) {
     return {};
 }
 
+std::string findMorphFault(const MorphTarget& target, std::size_t vertexCount) {
+    if (target.positionOffsets.size() != target.vertices.size() ||
+        target.normalOffsets.size() != target.vertices.size())
+        return "a morph target's offsets do not match the vertices it moves";
+    if (std::ranges::adjacent_find(target.vertices, std::ranges::greater_equal{}) != target.vertices.end())
+        return "a morph target's vertices are out of order";
+    if (!target.vertices.empty() && target.vertices.back() >= vertexCount)
+        return "a morph target moves a vertex that does not exist";
+    if (!std::all_of(target.positionOffsets.begin(), target.positionOffsets.end(), isFinite) ||
+        !std::all_of(target.normalOffsets.begin(), target.normalOffsets.end(), isFinite))
+        return "a morph target's offset is not a finite number";
+    return {};
+}
+
 } // namespace
 
 std::string findFault(const Mesh& mesh) {
@@ -48,6 +63,9 @@ std::string findFault(const Mesh& mesh) {
     for (const std::uint32_t slot : mesh.triangleSlots)
         if (slot >= mesh.slots.size())
             return "a triangle refers to a material that does not exist";
+    for (const MorphTarget& target : mesh.morphTargets)
+        if (std::string fault = findMorphFault(target, vertexCount); !fault.empty())
+            return fault;
     return findSkinningFault(mesh);
 }
 

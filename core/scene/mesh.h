@@ -12,6 +12,15 @@
 
 namespace prizma {
 
+/// A shape that a mesh can be blended towards (a flex of the Source engine): how far the vertices it moves go
+/// at weight 1, in object space.
+struct MorphTarget {
+    std::string name;
+    std::vector<std::uint32_t> vertices;    ///< The moved vertices, ascending.
+    std::vector<glm::vec3> positionOffsets; ///< One a moved vertex.
+    std::vector<glm::vec3> normalOffsets;   ///< One a moved vertex; the sum is to be normalised.
+};
+
 /// Triangles in object space (for a skinned mesh: the bind pose). Never changed once shared.
 struct Mesh {
     std::vector<glm::vec3> positions;
@@ -27,6 +36,8 @@ struct Mesh {
     /// mesh.
     std::vector<std::uint32_t> firstInfluence;
     std::vector<BoneInfluence> influences;
+
+    std::vector<MorphTarget> morphTargets;
 
     Bounds bounds; ///< Of all positions.
 

@@ -67,7 +67,8 @@ struct EntityRef {
 
 /// A property without its owner's type: what panels and undo commands work with.
 struct PropertyInfo {
-    std::string_view key, label, help;
+    std::string key, label;
+    std::string_view help;
     PropertyKind kind;
     std::string_view unit;
     double minimum, maximum, step;
@@ -77,7 +78,8 @@ struct PropertyInfo {
     PropertyValue defaultValue;
 };
 
-/// All properties of an entity with their present values; empty if the scene has no such entity.
+/// All properties of an entity with their present values; empty if the scene has no such entity. An object
+/// has one more for each of its mesh's morph targets, "morph:" and the target's name: its weight.
 std::vector<PropertyInfo> properties(const Scene& scene, EntityRef entity);
 
 /// Reads or writes one property. Errors: unknown entity or key, a value of the wrong type or that is not
@@ -89,7 +91,8 @@ Result<void> setProperty(Scene& scene, EntityRef entity, std::string_view key, c
 std::string displayName(const Scene& scene, EntityRef entity);
 
 /// Carries out "lights.key.intensity=80", "camera.fovY=30", "materials.floor.baseColor=0.8,0.8,0.8":
-/// what --set takes. Names may hold dots; the key is what follows the last one.
+/// what --set takes. Names may hold dots; the key is what follows the last one before the equals sign, or the
+/// "morph:" of "objects.face.morph:eye.left=0.5".
 Result<void> applyAssignment(Scene& scene, std::string_view assignment);
 
 } // namespace prizma

@@ -75,9 +75,6 @@ Id addMaterial(Scene& scene, Material item);
 template <class T>
 std::string uniqueName(const CowList<T>& list, const std::string& wanted);
 
-/// World box of all visible objects that have a mesh; empty if there is none.
-DBounds worldBounds(const Scene& scene);
-
 /// `camera` moved along its own view direction so that `bounds` fills the picture (`aspect` is width /
 /// height) with a small margin; unchanged for empty bounds.
 Camera frameBounds(Camera camera, const DBounds& bounds, double aspect);

@@ -30,7 +30,7 @@ DeviceState drawn(const Scene& scene) {
             continue;
         state.resident.insert(object.id);
         if (isPosed(object))
-            state.poses[object.id] = poseKeyOf(object, scene.timeline);
+            state.poses[object.id] = poseKeyOf(object, scene.timeline.seconds());
     }
     state.anchor = chooseAnchor(std::nullopt, scene.camera);
     state.width = 640;

@@ -1,5 +1,6 @@
 #include "ui/main_window/main_window.h"
 
+#include "core/animation/posed_bounds.h"
 #include "core/scene/edits.h"
 #include "core/scene/starter_scene.h"
 #include "ui/document/document.h"
@@ -190,7 +191,7 @@ void MainWindow::showImported(Id object, const QString& file) {
         return;
     const double aspect = static_cast<double>(viewport_->width()) / std::max(1, viewport_->height());
     const bool isOnly = scene.objects.size() == 1;
-    if (isOnly || !isWellInView(scene.camera, worldBounds(*imported), aspect))
+    if (isOnly || !isWellInView(scene.camera, worldBounds(*imported, scene.timeline.seconds()), aspect))
         viewport_->frameSelected();
 }
 

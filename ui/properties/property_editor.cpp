@@ -18,9 +18,11 @@
 namespace prizma {
 namespace {
 
-constexpr std::string_view clipKey = "clip";
+/// Names of clips are texts in the tables, but only the object's own clips make sense.
+bool namesClip(const std::string& key) {
+    return key == "clip" || key == "fadeFrom";
+}
 
-/// An object's clip is a text in the tables, but only its own clips make sense.
 std::vector<ShownChoice> clipChoices(const Object& object) {
     std::vector<ShownChoice> choices{{"", PropertyEditor::tr("Bind pose")}};
     for (const ClipPtr& clip : object.clips)
@@ -30,7 +32,7 @@ std::vector<ShownChoice> clipChoices(const Object& object) {
 
 std::vector<ShownChoice> choicesFor(const Scene& scene, EntityRef entity, const PropertyInfo& property) {
     const Object* object = entity.kind == EntityKind::Object ? scene.findObject(entity.id) : nullptr;
-    return object && property.key == clipKey ? clipChoices(*object) : std::vector<ShownChoice>();
+    return object && namesClip(property.key) ? clipChoices(*object) : std::vector<ShownChoice>();
 }
 
 } // namespace

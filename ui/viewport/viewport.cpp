@@ -1,5 +1,6 @@
 #include "ui/viewport/viewport.h"
 
+#include "core/animation/posed_bounds.h"
 #include "ui/document/document.h"
 #include "ui/viewport/render_session.h"
 #include "ui/viewport/selection_bounds.h"

@@ -18,6 +18,9 @@
 #include "ui/preferences/preferences_dialog.h"
 #include "ui/properties/property_editor.h"
 #include "ui/scene_tree/scene_tree.h"
+#include "ui/timeline/playback_actions.h"
+#include "ui/timeline/timeline_controller.h"
+#include "ui/timeline/timeline_panel.h"
 #include "ui/viewport/render_session.h"
 #include "ui/viewport/viewport.h"
 
@@ -37,7 +40,7 @@ const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 
 /// Grows when the panels change so much that a remembered layout makes no sense any more.
-constexpr int layoutVersion = 1;
+constexpr int layoutVersion = 2;
 
 QStringList localFiles(const QMimeData* data) {
     QStringList files;
@@ -62,6 +65,9 @@ MainWindow::MainWindow(const QString& deviceId, QWidget* parent)
       sceneTree_(new SceneTree(*document_)),
       propertyEditor_(new PropertyEditor(*document_)),
       log_(new LogPanel),
+      timeline_(new TimelineController(*document_, this)),
+      playbackActions_(new PlaybackActions(*timeline_, this)),
+      timelinePanel_(new TimelinePanel(*document_, *timeline_, *playbackActions_)),
       statusBar_(new StatusBar),
       fileActions_(new FileActions(*document_, *importer_, *viewport_, *this)),
       editActions_(new EditActions(*document_, *this)),
@@ -123,12 +129,18 @@ QDockWidget* MainWindow::addPanel(QWidget& content, const QString& title, const 
 void MainWindow::makePanels() {
     addPanel(*sceneTree_, tr("Scene"), QStringLiteral("scenePanel"), Qt::LeftDockWidgetArea);
     addPanel(*propertyEditor_, tr("Properties"), QStringLiteral("propertyPanel"), Qt::RightDockWidgetArea);
+    timelineDock_ =
+        addPanel(*timelinePanel_, tr("Timeline"), QStringLiteral("timelinePanel"), Qt::BottomDockWidgetArea);
     logDock_ = addPanel(*log_, tr("Log"), QStringLiteral("logPanel"), Qt::BottomDockWidgetArea);
     sceneTree_->setMinimumWidth(180);
     propertyEditor_->setMinimumWidth(280);
-    // The side panels keep the window's full height, the log lies under the view.
+    // The side panels keep the window's full height; timeline and log lie under the view.
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+
+    for (QWidget* widget : std::initializer_list<QWidget*>{viewport_, timelinePanel_})
+        playbackActions_->addKeysTo(*widget);
+    playbackActions_->addPlayKeysTo(*sceneTree_);
 
     std::vector<QAction*> treeActions = editActions_->selectionActions();
     treeActions.push_back(viewActions_->frameSelected());
@@ -159,6 +171,7 @@ void MainWindow::makeMenus() {
     reset->setStatusTip(tr("Put the panels where they were at first"));
     connect(reset, &QAction::triggered, this, &MainWindow::resetLayout);
     viewActions_->fillViewMenu(*menuBar()->addMenu(tr("&View")), toggles, reset);
+    playbackActions_->fillMenu(*menuBar()->addMenu(tr("&Playback")));
     viewActions_->fillRenderMenu(*menuBar()->addMenu(tr("&Render")));
     helpActions_->fillMenu(*menuBar()->addMenu(tr("&Help")));
 }
@@ -240,7 +253,8 @@ void MainWindow::resetLayout() {
         panels_[i]->setVisible(panels_[i] != logDock_);
     }
     resizeDocks({panels_[0], panels_[1]}, {230, 330}, Qt::Horizontal);
-    resizeDocks({logDock_}, {130}, Qt::Vertical);
+    tabifyDockWidget(timelineDock_, logDock_);
+    resizeDocks({timelineDock_}, {180}, Qt::Vertical);
 }
 
 void MainWindow::restoreLayout() {

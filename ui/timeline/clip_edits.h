@@ -2,6 +2,9 @@
 
 #include "core/scene/scene.h"
 
+#include <QString>
+
+#include <optional>
 #include <string>
 
 namespace prizma {
@@ -12,13 +15,23 @@ class Document;
 /// one in the scene that does. Null if there is none.
 const Object* timelineObject(const Document& document);
 
-/// The object's clip of that name, or null.
-const Clip* findClip(const Object& object, const std::string& name);
+/// Where a clip is on the timeline, in the timeline's frames.
+struct ClipSpan {
+    QString name;
+    double start = 0.0;   ///< One of its beginnings, if it repeats.
+    double frames = 0.0;  ///< How long it takes; more than 0.
+    bool repeats = false; ///< Before and after, without end.
+};
 
-/// Makes an object play another of its clips (empty: the bind pose), as one undo step.
-void chooseClip(Document& document, Id object, const std::string& clip);
+/// The span of the clip that the timeline's object plays; nothing if it plays none, or one that stands still.
+std::optional<ClipSpan> playingSpan(const Document& document);
 
-/// Gives the timeline the clip's frames and its frame rate, as one undo step.
-void fitTimeline(Document& document, const Clip& clip);
+/// Makes an object play another of its clips (empty: the bind pose), as one undo step. If the object has a
+/// fade time, it goes over to the clip from now on (`fromNow`), or has just done so: whoever chooses a clip
+/// for a picture that stands still wants to see it.
+void chooseClip(Document& document, Id object, const std::string& clip, bool fromNow);
+
+/// Gives the timeline the frame rate of an object's clip and the frames that it takes, as one undo step.
+void fitTimeline(Document& document, const Object& object, const Clip& clip);
 
 } // namespace prizma

@@ -1,10 +1,12 @@
 #include "ui/timeline/clip_list.h"
 
+#include "core/animation/pose_key.h"
 #include "ui/document/document.h"
 #include "ui/document/strings.h"
 #include "ui/main_window/theme.h"
 #include "ui/timeline/clip_edits.h"
 #include "ui/timeline/clip_preview.h"
+#include "ui/timeline/timeline_controller.h"
 
 #include <QEvent>
 #include <QHeaderView>
@@ -43,9 +45,11 @@ QTreeWidgetItem* addRow(QTreeWidget& list, const Clip& clip) {
 
 } // namespace
 
-ClipList::ClipList(Document& document, ClipPreview& preview, QWidget* parent)
+ClipList::ClipList(Document& document, const TimelineController& controller, ClipPreview& preview,
+                   QWidget* parent)
     : QWidget(parent),
       document_(document),
+      controller_(controller),
       preview_(preview),
       list_(new QTreeWidget),
       hint_(new QLabel(tr("No clips. Import a model that has animations, or select it."))) {
@@ -78,11 +82,11 @@ ClipList::ClipList(Document& document, ClipPreview& preview, QWidget* parent)
     dimmed.setColor(QPalette::WindowText, theme::dim());
     hint_->setPalette(dimmed);
 
-    connect(list_, &QTreeWidget::itemEntered, this, &ClipList::preview);
+    connect(list_, &QTreeWidget::itemEntered, this, &ClipList::showPreview);
     connect(list_, &QTreeWidget::viewportEntered, this, [this] { preview_.end(); });
     connect(list_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* current) {
         if (!updating_ && list_->hasFocus())
-            preview(current);
+            showPreview(current);
     });
     connect(list_, &QTreeWidget::itemClicked, this, &ClipList::choose);
     connect(list_, &QTreeWidget::itemActivated, this, &ClipList::choose);
@@ -118,6 +122,9 @@ void ClipList::rebuild() {
     bindPose->setForeground(NameColumn, theme::dim());
     for (const ClipPtr& clip : clips_)
         addRow(*list_, *clip);
+    const QSize rowSize(0, list_->fontMetrics().height() + 6);
+    for (int i = 0; i < list_->topLevelItemCount(); ++i)
+        list_->topLevelItem(i)->setSizeHint(NameColumn, rowSize);
 }
 
 /// The clip that plays is bold and current; the object's name stands above.
@@ -141,16 +148,16 @@ void ClipList::showChosen() {
 
 void ClipList::choose(QTreeWidgetItem* item) {
     preview_.end();
-    chooseClip(document_, object_, clipOf(*item));
+    chooseClip(document_, object_, clipOf(*item), controller_.isPlaying());
 }
 
 void ClipList::fit(QTreeWidgetItem* item) {
     const Object* object = document_.scene().findObject(object_);
-    if (const Clip* clip = object ? findClip(*object, clipOf(*item)) : nullptr)
-        fitTimeline(document_, *clip);
+    if (const ClipPtr clip = object ? findClip(*object, clipOf(*item)) : nullptr)
+        fitTimeline(document_, *object, *clip);
 }
 
-void ClipList::preview(QTreeWidgetItem* item) {
+void ClipList::showPreview(QTreeWidgetItem* item) {
     const Object* object = document_.scene().findObject(object_);
     if (item && object && clipOf(*item) != object->clip)
         preview_.show(object_, clipOf(*item));

@@ -15,6 +15,7 @@ namespace prizma {
 
 class ClipPreview;
 class Document;
+class TimelineController;
 
 /// The clips of the object that the timeline is about. Clicking one (or Return) chooses it, a double click
 /// fits the timeline to it; under the pointer, or under the keyboard's cursor, it plays in the view as a
@@ -23,8 +24,9 @@ class ClipList : public QWidget {
     Q_OBJECT
 
   public:
-    /// Keeps references to both.
-    ClipList(Document& document, ClipPreview& preview, QWidget* parent = nullptr);
+    /// Keeps references to all of them.
+    ClipList(Document& document, const TimelineController& controller, ClipPreview& preview,
+             QWidget* parent = nullptr);
 
     QTreeWidget& list() { return *list_; }
 
@@ -38,9 +40,10 @@ class ClipList : public QWidget {
     void showChosen();
     void choose(QTreeWidgetItem* item);
     void fit(QTreeWidgetItem* item);
-    void preview(QTreeWidgetItem* item);
+    void showPreview(QTreeWidgetItem* item);
 
     Document& document_;
+    const TimelineController& controller_;
     ClipPreview& preview_;
     QTreeWidget* list_;
     QLabel* hint_;     ///< In the list's stead while there is nothing to list.

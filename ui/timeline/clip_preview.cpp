@@ -1,19 +1,22 @@
 #include "ui/timeline/clip_preview.h"
 
+#include "core/animation/pose_key.h"
 #include "ui/document/document.h"
 #include "ui/timeline/timeline_controller.h"
 
 #include <chrono>
+#include <optional>
 
 namespace prizma {
 namespace {
 
 constexpr std::chrono::milliseconds interval{16};
 
-void playClip(Scene& scene, Id id, const std::string& clip) {
-    for (Object& object : scene.objects.edit())
-        if (object.id == id)
-            object.clip = clip;
+/// At once, without a fade; if `seconds` is given, at that time of the clip.
+void playClip(Object& object, const std::string& clip, double sceneSeconds, std::optional<double> seconds) {
+    changeClip(object, clip, sceneSeconds, 0.0);
+    if (seconds)
+        object.playback.offset = *seconds - object.playback.speed * sceneSeconds;
 }
 
 } // namespace
@@ -26,10 +29,6 @@ ClipPreview::ClipPreview(Document& document, const TimelineController& controlle
         timer_.stop();
         object_ = noId;
     });
-}
-
-ClipPreview::~ClipPreview() {
-    end();
 }
 
 void ClipPreview::show(Id object, const std::string& clip) {
@@ -51,12 +50,13 @@ void ClipPreview::end() {
 }
 
 void ClipPreview::apply() {
-    const bool playing = controller_.isPlaying();
-    const double seconds = static_cast<double>(elapsed_.nsecsElapsed()) * 1e-9;
-    document_.setPreview([object = object_, clip = clip_, playing, seconds](Scene& scene) {
-        playClip(scene, object, clip);
-        if (!playing && !clip.empty())
-            scene.timeline.frame = seconds * scene.timeline.fps;
+    std::optional<double> seconds;
+    if (!controller_.isPlaying())
+        seconds = static_cast<double>(elapsed_.nsecsElapsed()) * 1e-9;
+    document_.setPreview([id = object_, clip = clip_, seconds](Scene& scene) {
+        for (Object& object : scene.objects.edit())
+            if (object.id == id)
+                playClip(object, clip, scene.timeline.seconds(), seconds);
     });
 }
 

@@ -14,14 +14,14 @@ class Document;
 class TimelineController;
 
 /// Lets the view show how an object plays a clip that it does not play (yet): from the clip's beginning in
-/// real time, or as the timeline goes while that is playing. The scene stays as it is.
+/// real time, or as the timeline goes while that is playing. The rest of the scene stands still or plays on,
+/// and the document is not altered.
 class ClipPreview : public QObject {
     Q_OBJECT
 
   public:
     /// Keeps references to both.
     ClipPreview(Document& document, const TimelineController& controller, QObject* parent = nullptr);
-    ~ClipPreview() override;
 
     void show(Id object, const std::string& clip); ///< Empty: the bind pose.
     void end();

@@ -1,5 +1,6 @@
 #include "ui/timeline/range_bar.h"
 
+#include "core/animation/pose_key.h"
 #include "ui/document/document.h"
 #include "ui/document/strings.h"
 #include "ui/main_window/theme.h"
@@ -14,8 +15,9 @@ namespace prizma {
 namespace {
 
 const std::vector<EntityRef> timelineEntity{{EntityKind::Timeline}};
+constexpr double mostFrames = 1e6;
 
-const Clip* chosenClip(const Document& document) {
+ClipPtr chosenClip(const Document& document) {
     const Object* object = timelineObject(document);
     return object ? findClip(*object, object->clip) : nullptr;
 }
@@ -54,7 +56,7 @@ NumberField* RangeBar::addField(QBoxLayout& layout, const QString& label, const 
     field->setAccessibleName(label);
     field->setInteger(integer);
     field->setStep(1.0);
-    field->setFixedWidth(field->sizeHint().width());
+    field->setFixedWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("-00000")) + 16);
     auto* caption = new QLabel(label);
     QPalette dimmed = caption->palette();
     dimmed.setColor(QPalette::WindowText, theme::dim());
@@ -79,14 +81,16 @@ NumberField* RangeBar::addField(QBoxLayout& layout, const QString& label, const 
 void RangeBar::refresh() {
     const Timeline& timeline = document_.scene().timeline;
     start_->setValue(timeline.start);
+    start_->setRange(-mostFrames, timeline.end);
     rate_->setValue(timeline.fps);
     end_->setValue(timeline.end);
+    end_->setRange(timeline.start, mostFrames);
     fit_->setEnabled(chosenClip(document_) != nullptr);
 }
 
 void RangeBar::fit() {
-    if (const Clip* clip = chosenClip(document_))
-        fitTimeline(document_, *clip);
+    if (const ClipPtr clip = chosenClip(document_))
+        fitTimeline(document_, *timelineObject(document_), *clip);
 }
 
 } // namespace prizma

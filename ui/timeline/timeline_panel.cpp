@@ -17,7 +17,7 @@ TimelinePanel::TimelinePanel(Document& document, TimelineController& controller,
                              const PlaybackActions& actions, QWidget* parent)
     : QWidget(parent),
       preview_(new ClipPreview(document, controller, this)),
-      clips_(new ClipList(document, *preview_)),
+      clips_(new ClipList(document, controller, *preview_)),
       ruler_(new TimelineRuler(document, controller)) {
     auto* right = new QWidget;
     auto* column = new QVBoxLayout(right);
@@ -33,7 +33,7 @@ TimelinePanel::TimelinePanel(Document& document, TimelineController& controller,
     splitter->addWidget(right);
     splitter->setStretchFactor(0, 0);
     splitter->setStretchFactor(1, 1);
-    splitter->setSizes({210, 500});
+    splitter->setSizes({230, 500});
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(splitter);

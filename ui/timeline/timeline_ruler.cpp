@@ -2,6 +2,7 @@
 
 #include "ui/document/document.h"
 #include "ui/main_window/theme.h"
+#include "ui/timeline/clip_edits.h"
 #include "ui/timeline/timeline_controller.h"
 
 #include <QMouseEvent>
@@ -19,6 +20,7 @@ constexpr double labelGap = 18.0; // Between two labels.
 constexpr double tickGap = 5.0;
 constexpr double longTick = 9.0;
 constexpr double shortTick = 5.0;
+constexpr double shortestBar = 6.0; // Clips that repeat more quickly become one bar.
 
 /// A number that grows and shrinks by one place must not shift the others.
 double labelWidth(const QFontMetricsF& metrics, double frame) {
@@ -41,6 +43,7 @@ TimelineRuler::TimelineRuler(Document& document, TimelineController& controller,
     setToolTip(tr("Drag to move in time; turn the wheel to zoom, double-click to see all"));
     connect(&document, &Document::sceneChanged, this, &TimelineRuler::follow);
     connect(&document, &Document::replaced, this, [this] { zoomed_ = false; });
+    connect(&document, &Document::selectionChanged, this, qOverload<>(&QWidget::update));
     follow();
 }
 
@@ -49,7 +52,7 @@ QSize TimelineRuler::sizeHint() const {
 }
 
 QSize TimelineRuler::minimumSizeHint() const {
-    return {120, fontMetrics().height() * 2 + 12};
+    return {120, fontMetrics().height() * 2 + 24};
 }
 
 double TimelineRuler::xOf(double frame) const {
@@ -142,14 +145,21 @@ void TimelineRuler::wheelEvent(QWheelEvent* event) {
     event->accept();
 }
 
+/// Of the band with the numbers and the marks.
+double TimelineRuler::bandHeight() const {
+    return fontMetrics().height() + 4.0 + longTick;
+}
+
 void TimelineRuler::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Window));
     paintRange(painter);
     paintMarks(painter);
+    paintClip(painter);
     paintPlayhead(painter);
     if (hasFocus()) {
         painter.setPen(palette().color(QPalette::Highlight));
+        painter.setBrush(Qt::NoBrush);
         painter.drawRect(rect().adjusted(0, 0, -1, -1));
     }
 }
@@ -170,30 +180,61 @@ void TimelineRuler::paintMarks(QPainter& painter) const {
     const double widest = std::max(labelWidth(metrics, scale_.first()), labelWidth(metrics, scale_.last()));
     const int labelStep = scale_.markStep(widest + labelGap);
     const int tickStep = scale_.markStep(tickGap);
-    const double bottom = height();
-    const auto firstMark = [this](int step) {
-        return static_cast<long long>(std::floor(scale_.first() / step)) * step;
-    };
+    const double bottom = bandHeight();
+    const auto firstMark = [this](int step) { return std::floor(scale_.first() / step) * step; };
     painter.setPen(palette().color(QPalette::Light));
-    for (long long frame = firstMark(tickStep); frame <= scale_.last(); frame += tickStep) {
-        const double x = crisp(xOf(static_cast<double>(frame)));
+    for (double frame = firstMark(tickStep); frame <= scale_.last(); frame += tickStep) {
+        const double x = crisp(xOf(frame));
         painter.drawLine(QPointF(x, bottom - shortTick), QPointF(x, bottom));
     }
-    painter.setPen(theme::dim());
-    const double textTop = bottom - longTick - metrics.height() - 2.0;
-    for (long long frame = firstMark(labelStep); frame <= scale_.last() + labelStep; frame += labelStep) {
-        const double x = crisp(xOf(static_cast<double>(frame)));
+    for (double frame = firstMark(labelStep); frame <= scale_.last() + labelStep; frame += labelStep) {
+        const double x = crisp(xOf(frame));
+        painter.setPen(palette().color(QPalette::Button));
+        painter.drawLine(QPointF(x, bottom), QPointF(x, height()));
+        painter.setPen(theme::dim());
         painter.drawLine(QPointF(x, bottom - longTick), QPointF(x, bottom));
-        painter.drawText(QRectF(x - widest, textTop, 2.0 * widest, metrics.height()), Qt::AlignCenter,
-                         QString::number(frame));
+        painter.drawText(QRectF(x - widest, 2.0, 2.0 * widest, metrics.height()), Qt::AlignCenter,
+                         QString::number(frame, 'f', 0));
     }
+}
+
+/// A bar for each time that the clip plays.
+void TimelineRuler::paintClip(QPainter& painter) const {
+    const auto span = playingSpan(document_);
+    if (!span)
+        return;
+    const double first = span->repeats ? std::floor((scale_.first() - span->start) / span->frames) : 0.0;
+    const double last = span->repeats ? std::floor((scale_.last() - span->start) / span->frames) : 0.0;
+    const double top = bandHeight() + 4.0;
+    const double size = std::min(height() - top - 4.0, fontMetrics().height() + 6.0);
+    if (size < 4.0)
+        return;
+    QColor fill = theme::accent();
+    fill.setAlpha(56);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool readable = span->frames * scale_.pixelsPerFrame() >= shortestBar;
+    for (double i = first; i <= last; i += readable ? 1.0 : last - first + 1.0) {
+        const double start = span->start + i * span->frames;
+        const double end = readable ? start + span->frames : span->start + (last + 1.0) * span->frames;
+        const double left = std::max(xOf(start), -10.0);
+        const QRectF bar(left + 0.5, top, std::min(xOf(end), width() + 10.0) - left - 1.0, size);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(fill);
+        painter.drawRoundedRect(bar, 3.0, 3.0);
+        painter.setPen(palette().color(QPalette::Text));
+        const QRectF inner = bar.intersected(rect()).adjusted(6.0, 0.0, -6.0, 0.0);
+        painter.drawText(inner, Qt::AlignVCenter | Qt::AlignLeft,
+                         fontMetrics().elidedText(span->name, Qt::ElideRight,
+                                                  std::max(static_cast<int>(inner.width()), 0)));
+    }
+    painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
 void TimelineRuler::paintPlayhead(QPainter& painter) const {
     const double frame = document_.scene().timeline.frame;
     const double x = crisp(xOf(frame));
     const QFontMetricsF metrics(font());
-    const QString text = QString::number(std::llround(std::floor(frame + 1e-6)));
+    const QString text = QString::number(std::floor(frame + 1e-6), 'f', 0);
     const double halfWidth = std::max(metrics.horizontalAdvance(text) * 0.5 + 6.0, 11.0);
     const QRectF badge(x - halfWidth, 1.0, 2.0 * halfWidth, metrics.height() + 2.0);
     painter.setRenderHint(QPainter::Antialiasing);

@@ -9,9 +9,9 @@ namespace prizma {
 class Document;
 class TimelineController;
 
-/// The frames of the timeline as a ruler with a playhead. Dragging scrubs (with Shift also between frames),
-/// the wheel zooms to the pointer, dragging with the middle button moves the ruler, a double click shows the
-/// whole range again.
+/// The frames of the timeline as a ruler with a playhead, and below it the clip that plays. Dragging scrubs
+/// (with Shift also between frames), the wheel zooms to the pointer, dragging with the middle button moves
+/// the ruler, a double click shows the whole range again.
 class TimelineRuler : public QWidget {
     Q_OBJECT
 
@@ -40,7 +40,9 @@ class TimelineRuler : public QWidget {
     void follow();
     void scrubTo(double x, Qt::KeyboardModifiers modifiers);
     void endDrag();
+    double bandHeight() const;
     void paintRange(QPainter& painter) const;
+    void paintClip(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
     void paintPlayhead(QPainter& painter) const;
 

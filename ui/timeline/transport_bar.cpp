@@ -63,12 +63,13 @@ void TransportBar::makeModeButton(const PlaybackActions& actions) {
     layout()->addWidget(mode_);
 }
 
-NumberField* TransportBar::addField(const QString& label, const char* name, const QString& tip) {
+NumberField* TransportBar::addField(const QString& label, const char* name, const QString& tip,
+                                    const QString& longest) {
     auto* field = new NumberField;
     field->setObjectName(QString::fromLatin1(name));
     field->setToolTip(tip);
     field->setAccessibleName(label);
-    field->setFixedWidth(field->sizeHint().width());
+    field->setFixedWidth(field->fontMetrics().horizontalAdvance(longest) + 16);
     auto* caption = new QLabel(label);
     QPalette dimmed = caption->palette();
     dimmed.setColor(QPalette::WindowText, theme::dim());
@@ -80,16 +81,17 @@ NumberField* TransportBar::addField(const QString& label, const char* name, cons
 }
 
 void TransportBar::makeFields() {
-    speed_ = addField(tr("Speed"), "speed", tr("1 is real time; below 0 it plays backwards"));
+    speed_ = addField(tr("Speed"), "speed", tr("1 is real time; below 0 it plays backwards"),
+                      QStringLiteral("-0.00 ×"));
     speed_->setUnit(QStringLiteral("×"));
     speed_->setRange(-fastest, fastest);
     connect(speed_, &NumberField::valueEdited, &controller_, &TimelineController::setSpeed);
     static_cast<QHBoxLayout*>(layout())->addStretch(1);
 
-    frame_ = addField(tr("Frame"), "frame", tr("The frame that is shown"));
+    frame_ = addField(tr("Frame"), "frame", tr("The frame that is shown"), QStringLiteral("00000"));
     frame_->setStep(1.0);
     connect(frame_, &NumberField::valueEdited, &controller_, &TimelineController::goTo);
-    time_ = addField(tr("Time"), "time", tr("Where that is in seconds"));
+    time_ = addField(tr("Time"), "time", tr("Where that is in seconds"), QStringLiteral("000.00 s"));
     time_->setUnit(QStringLiteral("s"));
     connect(time_, &NumberField::valueEdited, this,
             [this](double seconds) { controller_.goTo(seconds * document_.scene().timeline.fps); });

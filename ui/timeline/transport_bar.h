@@ -22,7 +22,7 @@ class TransportBar : public QWidget {
 
   private:
     QToolButton* addButton(QAction* action);
-    NumberField* addField(const QString& label, const char* name, const QString& tip);
+    NumberField* addField(const QString& label, const char* name, const QString& tip, const QString& longest);
     void makeModeButton(const PlaybackActions& actions);
     void makeFields();
     void showPlace();

@@ -167,11 +167,10 @@ typedef struct {
     float weight;
 } DeviceInfluence;
 
-// A node to refit: relative to nodeBase, with leaves relative to leafBase.
+// A node to refit, and the first node of its tree, which its children count from.
 typedef struct {
     DeviceUint node;
     DeviceUint nodeBase;
-    DeviceUint leafBase;
 } DeviceRefitEntry;
 
 #ifndef __OPENCL_VERSION__
@@ -189,7 +188,7 @@ static_assert(sizeof(DeviceLight) == 80);
 static_assert(sizeof(DeviceView) == 76);
 static_assert(sizeof(DeviceShading) == 36);
 static_assert(sizeof(DeviceInfluence) == 8);
-static_assert(sizeof(DeviceRefitEntry) == 12);
+static_assert(sizeof(DeviceRefitEntry) == 8);
 } // namespace prizma
 #endif
 

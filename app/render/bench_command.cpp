@@ -2,6 +2,7 @@
 #include "app/render/load_scene.h"
 #include "core/bench/build_bench.h"
 #include "core/bench/procedural_scene.h"
+#include "core/bench/refit_bench.h"
 #include "core/bench/trace_bench.h"
 
 #include <fmt/format.h>
@@ -69,6 +70,20 @@ Json toJson(const bench::BuildReport& report) {
     return result;
 }
 
+Json toJson(const bench::RefitReport& report) {
+    Json result{{"device", report.device},
+                {"triangles", report.triangles},
+                {"milliseconds", report.milliseconds},
+                {"vertexShader", report.vertexShader},
+                {"triangleShader", report.triangleShader},
+                {"refitTreeShader", report.refitTreeShader}};
+    if (report.embreeRefit) {
+        result["embree"] = {{"refit", *report.embreeRefit}};
+        result["ratio"] = report.ratio;
+    }
+    return result;
+}
+
 void print(const bench::TraceReport& report) {
     fmt::print("{}, {} triangles; Mrays/s, medians\n", report.device, report.triangles);
     fmt::print("{:<8} {:>8} {:>9} {:>10} {:>6}", "rays", "count", "Mrays/s", "mismatches", "wrong");
@@ -97,6 +112,17 @@ void print(const bench::BuildReport& report) {
     if (report.embreeMedium)
         fmt::print("Embree, medium quality: {:.1f} ms; ratio {:.2f} (below 1: faster than Embree)\n",
                    *report.embreeMedium, report.ratio);
+}
+
+void print(const bench::RefitReport& report) {
+    fmt::print(
+        "{}, {} triangles: {:.2f} ms (TriangleShader {:.2f}, RefitTreeShader {:.2f}); VertexShader, not in "
+        "it, {:.2f} ms\n",
+        report.device, report.triangles, report.milliseconds, report.triangleShader, report.refitTreeShader,
+        report.vertexShader);
+    if (report.embreeRefit)
+        fmt::print("Embree, refit quality: {:.2f} ms; ratio {:.2f} (below 1: faster than Embree)\n",
+                   *report.embreeRefit, report.ratio);
 }
 
 template <class Report>
@@ -138,6 +164,28 @@ void addTraceCommand(CLI::App& bench) {
     });
 }
 
+TreeLayout layoutOf(const std::string& name) {
+    return name == "binary2" ? TreeLayout::Binary2 : TreeLayout::Wide8;
+}
+
+void addRefitCommand(CLI::App& bench) {
+    auto* command = bench.add_subcommand("refit", "How fast the trees follow vertices that move");
+    const auto arguments = std::make_shared<Arguments>();
+    arguments->layout.clear();
+    addCommonOptions(*command, *arguments);
+    command->add_option("--device", arguments->trace.deviceId, "OpenCL device, as \"devices\" lists it");
+    command->add_option("--layout", arguments->layout, "The trees' layout; without: what suits the device")
+        ->check(CLI::IsMember({"wide8", "binary2"}));
+    command->callback([arguments] {
+        bench::RefitBenchOptions options;
+        options.deviceId = arguments->trace.deviceId;
+        options.repeats = arguments->repeats;
+        if (!arguments->layout.empty())
+            options.layout = layoutOf(arguments->layout);
+        show(bench::benchRefit(sceneOf(*arguments), options), arguments->json);
+    });
+}
+
 void addBuildCommand(CLI::App& bench) {
     auto* command = bench.add_subcommand("build", "How fast the bottom-level trees are built");
     const auto arguments = std::make_shared<Arguments>();
@@ -147,7 +195,7 @@ void addBuildCommand(CLI::App& bench) {
         ->capture_default_str();
     command->callback([arguments] {
         bench::BuildBenchOptions options;
-        options.layout = arguments->layout == "wide8" ? TreeLayout::Wide8 : TreeLayout::Binary2;
+        options.layout = layoutOf(arguments->layout);
         options.repeats = arguments->repeats;
         show(bench::benchBuild(sceneOf(*arguments), options), arguments->json);
     });
@@ -160,6 +208,7 @@ void addBenchCommand(CLI::App& app) {
     command->require_subcommand(1);
     addTraceCommand(*command);
     addBuildCommand(*command);
+    addRefitCommand(*command);
 }
 
 } // namespace prizma

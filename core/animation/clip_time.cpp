@@ -8,8 +8,15 @@ namespace prizma {
 namespace {
 
 // Files round: six decimals of a radian in SMD. Angles and places that differ by less are the same key.
-constexpr float sameRotation = 1.0f - 1e-7f; // cosine of half an angle of about 9e-4
-constexpr float sameShare = 1e-4f;           // of the lengths in the clip
+constexpr float sameRotation = 5e-4f; // between unit quaternions: half of the angle
+constexpr float sameShare = 1e-4f;    // of the lengths in the clip
+
+/// q and -q are the same rotation.
+bool isSameRotation(const glm::quat& a, const glm::quat& b) {
+    const glm::quat from = glm::normalize(a);
+    const glm::quat to = glm::normalize(b);
+    return std::min(glm::length(from - to), glm::length(from + to)) <= sameRotation;
+}
 
 bool isSamePlace(const glm::vec3& a, const glm::vec3& b, float tolerance) {
     return glm::all(glm::lessThanEqual(glm::abs(a - b), glm::vec3(tolerance)));
@@ -25,8 +32,7 @@ bool lastKeyRepeatsFirst(const Clip& clip) {
             return true;
         const BonePose& first = track.frames.front();
         const BonePose& last = track.frames.back();
-        return std::abs(glm::dot(glm::normalize(first.rotation), glm::normalize(last.rotation))) >=
-                   sameRotation &&
+        return isSameRotation(first.rotation, last.rotation) &&
                isSamePlace(first.translation, last.translation, sameShare * reach) &&
                isSamePlace(first.scale, last.scale, sameShare);
     });

@@ -2,9 +2,9 @@
 
 #ifdef PRIZMA_WITH_EMBREE
 
+#include "core/bench/embree_handles.h"
 #include "core/bench/statistics_of.h"
 
-#include <embree3/rtcore.h>
 #include <tbb/parallel_for.h>
 
 #include <array>
@@ -15,33 +15,6 @@ namespace {
 
 constexpr std::size_t packetSize = 16;
 constexpr std::size_t grain = 64; ///< Packets a task at least.
-
-struct Release {
-    void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
-    void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
-    void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
-};
-template <class Handle>
-using Owned = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
-
-using Corners = std::vector<glm::vec3>;
-
-/// Embree may read four bytes beyond the last corner.
-Corners padded(Corners corners) {
-    corners.emplace_back(0.0f);
-    return corners;
-}
-
-/// `positions` end with one that is not used; they and the mesh have to live as long as the scene.
-void attach(RTCDevice device, RTCScene scene, const Mesh& mesh, const Corners& positions) {
-    const Owned<RTCGeometry> geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
-    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, positions.data(),
-                               0, sizeof(glm::vec3), positions.size() - 1);
-    rtcSetSharedGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                               mesh.triangles.data(), 0, sizeof(glm::uvec3), mesh.triangles.size());
-    rtcCommitGeometry(geometry.get());
-    rtcAttachGeometry(scene, geometry.get());
-}
 
 RTCRay embreeRay(const DeviceRay& ray) {
     RTCRay result{};
@@ -66,7 +39,7 @@ class Peer final : public EmbreePeer {
             if (!object.visible || !object.mesh)
                 continue;
             const glm::dmat4 matrix = object.transform.matrix();
-            Corners corners;
+            EmbreeCorners corners;
             corners.reserve(object.mesh->positions.size() + 1);
             for (const glm::vec3& position : object.mesh->positions)
                 corners.emplace_back(glm::dvec3(matrix * glm::dvec4(glm::dvec3(position), 1.0)) - origin);
@@ -173,9 +146,9 @@ class Peer final : public EmbreePeer {
     }
 
     std::vector<MeshPtr> meshes_;
-    std::vector<Corners> corners_;
-    Owned<RTCDevice> device_;
-    Owned<RTCScene> scene_;
+    std::vector<EmbreeCorners> corners_;
+    EmbreeOwned<RTCDevice> device_;
+    EmbreeOwned<RTCScene> scene_;
     std::vector<DeviceHit> hits_;
 };
 
@@ -186,9 +159,9 @@ std::unique_ptr<EmbreePeer> EmbreePeer::create(const Scene& scene, const glm::dv
 }
 
 std::optional<double> embreeBuildMilliseconds(const Mesh& mesh) {
-    const Corners corners = padded(mesh.positions);
-    const Owned<RTCDevice> device(rtcNewDevice(nullptr));
-    const Owned<RTCScene> scene(rtcNewScene(device.get()));
+    const EmbreeCorners corners = padded(mesh.positions);
+    const EmbreeOwned<RTCDevice> device(rtcNewDevice(nullptr));
+    const EmbreeOwned<RTCScene> scene(rtcNewScene(device.get()));
     rtcSetSceneBuildQuality(scene.get(), RTC_BUILD_QUALITY_MEDIUM);
     attach(device.get(), scene.get(), mesh, corners);
     return measure([&] { rtcCommitScene(scene.get()); });

@@ -1,5 +1,6 @@
 #include "core/bench/procedural_scene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -9,8 +10,20 @@ namespace prizma::bench {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int columns = 300; ///< Of each thing's grid of quadrilaterals, ...
-constexpr int rows = 149;    ///< ... two triangles each.
+constexpr std::size_t thingCount = 9;
+constexpr double columnsARow = 300.0 / 149.0; ///< Of each thing's grid.
+
+/// A thing's grid of quadrilaterals, two triangles each.
+struct Grid {
+    std::uint32_t columns = 1, rows = 1;
+};
+
+Grid gridFor(std::size_t sceneTriangles) {
+    const double quads = static_cast<double>(sceneTriangles) / (2.0 * thingCount);
+    const double columns = std::max(3.0, std::round(std::sqrt(quads * columnsARow)));
+    const double rows = std::max(2.0, std::round(quads / columns));
+    return {static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows)};
+}
 
 /// A surface over [0, 1] x [0, 1].
 using Surface = std::function<glm::dvec3(double u, double v)>;
@@ -88,15 +101,15 @@ void finish(Mesh& mesh) {
     updateBounds(mesh);
 }
 
-MeshPtr gridMesh(const Surface& surface) {
+MeshPtr gridMesh(const Surface& surface, const Grid& grid) {
     auto mesh = emptyMesh();
-    for (int row = 0; row <= rows; ++row)
-        for (int column = 0; column <= columns; ++column)
-            mesh->positions.emplace_back(surface(column / double(columns), row / double(rows)));
-    for (std::uint32_t row = 0; row < rows; ++row)
-        for (std::uint32_t column = 0; column < columns; ++column) {
-            const std::uint32_t a = row * (columns + 1) + column;
-            const std::uint32_t b = a + columns + 1;
+    for (std::uint32_t row = 0; row <= grid.rows; ++row)
+        for (std::uint32_t column = 0; column <= grid.columns; ++column)
+            mesh->positions.emplace_back(surface(column / double(grid.columns), row / double(grid.rows)));
+    for (std::uint32_t row = 0; row < grid.rows; ++row)
+        for (std::uint32_t column = 0; column < grid.columns; ++column) {
+            const std::uint32_t a = row * (grid.columns + 1) + column;
+            const std::uint32_t b = a + grid.columns + 1;
             addTriangle(*mesh, a, a + 1, b);
             addTriangle(*mesh, a + 1, b + 1, b);
         }
@@ -151,15 +164,17 @@ Object placed(const std::string& name, const MeshPtr& mesh, const Transform& tra
 
 } // namespace
 
-Scene makeProceduralScene(ProceduralForm form) {
+Scene makeProceduralScene(ProceduralForm form, std::size_t triangles) {
+    const Grid grid = gridFor(triangles);
     Scene scene;
     Material surface;
     surface.name = "surface";
     const Id material = addMaterial(scene, surface);
     std::vector<Object> objects{placed("room", roomMesh({5.0f, 2.0f, 4.0f}), {}, material)};
-    const std::pair<const char*, MeshPtr> things[] = {
-        {"boulder", gridMesh(boulder)}, {"coral", gridMesh(coral)}, {"knot", gridMesh(knot)}};
-    for (int i = 0; i < 9; ++i) {
+    const std::pair<const char*, MeshPtr> things[] = {{"boulder", gridMesh(boulder, grid)},
+                                                      {"coral", gridMesh(coral, grid)},
+                                                      {"knot", gridMesh(knot, grid)}};
+    for (int i = 0; i < static_cast<int>(thingCount); ++i) {
         const auto& [name, mesh] = things[i % 3];
         Transform transform;
         transform.translation = {2.6 * (i % 3 - 1) + 0.4 * (i / 3 - 1), 0.9 + 0.35 * (i / 3),

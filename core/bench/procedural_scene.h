@@ -2,6 +2,8 @@
 
 #include "core/scene/scene.h"
 
+#include <cstddef>
+
 namespace prizma::bench {
 
 enum class ProceduralForm {
@@ -9,8 +11,8 @@ enum class ProceduralForm {
     Instances ///< The room and nine objects that share three meshes.
 };
 
-/// About 800,000 triangles: a closed room with nine bumpy things of three kinds in it, and a camera inside
-/// that sees most of them. The scene that is measured when nobody names a file; the same each time.
-Scene makeProceduralScene(ProceduralForm form);
+/// A closed room with nine bumpy things of three kinds in it, and a camera inside that sees most of them. The
+/// scene that is measured when nobody names a file; the same each time. `triangles` is about how many it has.
+Scene makeProceduralScene(ProceduralForm form, std::size_t triangles = 804612);
 
 } // namespace prizma::bench

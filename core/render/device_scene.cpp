@@ -7,10 +7,6 @@ namespace {
 
 constexpr std::size_t geometryGroupSize = 64;
 
-std::size_t leafPlaces(const DeviceTree& tree) {
-    return tree.layout == TreeLayout::Wide8 ? tree.wideLeaves.size() * 8 : tree.binaryTriangles.size();
-}
-
 std::vector<float> boneRows(const std::vector<glm::mat4>& matrices) {
     std::vector<float> rows;
     rows.reserve(matrices.size() * 12);
@@ -39,9 +35,9 @@ Result<void> DeviceScene::run(const PlannedStage& stage, const Scene& scene, con
     case Stage::VertexShader:
         return shadeVertices(stage);
     case Stage::TriangleShader:
-        return shadeTriangles(stage);
+        return refitter_.shadeTriangles(context_, kernels_, geometry_, stage.objects);
     case Stage::RefitTreeShader:
-        return refit(stage);
+        return refitter_.refit(context_, kernels_, geometry_, stage.objects);
     case Stage::TopLevel:
         return instances_.update(context_, scene, geometry_, materials_, anchor);
     default:
@@ -64,6 +60,10 @@ void DeviceScene::setSceneArguments(Kernel& kernel) const {
                         geometry_.triangles(), instances_.slots(), materials_.materials(),
                         materials_.textures(), materials_.texels(), materials_.lights(),
                         materials_.lightCount());
+}
+
+Result<std::vector<glm::vec3>> DeviceScene::posedPositions(Id object) const {
+    return geometry_.readPosedPositions(context_, object);
 }
 
 Result<void> DeviceScene::uploadGeometry(const PlannedStage& stage, const Scene& scene, TreeStore& trees,
@@ -105,72 +105,6 @@ Result<void> DeviceScene::shadeVertices(const PlannedStage& stage) {
                             bones_.at(id));
         if (const auto launched = kernel.launch(context_, count, geometryGroupSize); !launched)
             return std::unexpected(launched.error());
-    }
-    return {};
-}
-
-Result<void> DeviceScene::shadeTriangles(const PlannedStage& stage) {
-    for (const Id id : stage.objects) {
-        const ObjectPlace place = geometry_.placeOf(id);
-        const auto places = static_cast<std::uint32_t>(leafPlaces(*place.mesh->tree));
-        Kernel& kernel = kernels_.triangleShader;
-        kernel.setArguments(geometry_.leaves(), place.posed->leafBase, places, geometry_.triangles(),
-                            place.mesh->triangleBase, geometry_.positions(), place.posed->vertexBase);
-        if (const auto launched = kernel.launch(context_, places, geometryGroupSize); !launched)
-            return std::unexpected(launched.error());
-    }
-    return {};
-}
-
-Result<void> DeviceScene::refit(const PlannedStage& stage) {
-    // Levels of all objects concatenated: one launch a level, however many objects move.
-    std::vector<DeviceRefitEntry> entries;
-    std::vector<std::size_t> levelEnds;
-    for (std::size_t level = 0;; ++level) {
-        const std::size_t before = entries.size();
-        for (const Id id : stage.objects) {
-            const ObjectPlace place = geometry_.placeOf(id);
-            const auto& levels = place.mesh->tree->refitLevels;
-            if (level < levels.size())
-                for (const std::uint32_t node : levels[level])
-                    entries.push_back({node, place.posed->nodeBase, place.posed->leafBase});
-        }
-        if (entries.size() == before)
-            break;
-        levelEnds.push_back(entries.size());
-    }
-    if (auto ok = refitEntries_.assign(context_, entries, "refit levels"); !ok)
-        return ok;
-    std::size_t first = 0;
-    for (const std::size_t end : levelEnds) {
-        Kernel& kernel = kernels_.refitTreeShader;
-        kernel.setArguments(geometry_.nodes(), geometry_.leaves(), refitEntries_,
-                            static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(end - first));
-        if (const auto launched = kernel.launch(context_, end - first, geometryGroupSize); !launched)
-            return std::unexpected(launched.error());
-        first = end;
-    }
-    return readRootBounds(stage);
-}
-
-Result<void> DeviceScene::readRootBounds(const PlannedStage& stage) {
-    std::vector<std::uint32_t> roots;
-    for (const Id id : stage.objects)
-        roots.push_back(geometry_.placeOf(id).posed->nodeBase);
-    if (auto ok = roots_.assign(context_, roots, "roots"); !ok)
-        return ok;
-    if (auto ok = rootBounds_.reserve(context_, 6 * roots.size(), "bounds"); !ok)
-        return ok;
-    Kernel& kernel = kernels_.gatherRootBounds;
-    kernel.setArguments(geometry_.nodes(), roots_, rootBounds_, static_cast<std::uint32_t>(roots.size()));
-    if (const auto launched = kernel.launch(context_, roots.size(), geometryGroupSize); !launched)
-        return std::unexpected(launched.error());
-    std::vector<float> values(6 * roots.size());
-    if (auto ok = rootBounds_.read(context_, values, 0, "bounds"); !ok)
-        return ok;
-    for (std::size_t i = 0; i < roots.size(); ++i) {
-        const float* v = &values[6 * i];
-        geometry_.posedPlaceOf(stage.objects[i])->bounds = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
     }
     return {};
 }

@@ -6,6 +6,7 @@
 #include "core/render/kernel_set.h"
 #include "core/render/material_store.h"
 #include "core/render/render_plan.h"
+#include "core/render/tree_refitter.h"
 
 namespace prizma {
 
@@ -28,6 +29,10 @@ class DeviceScene {
     /// Sets the kernel's first fifteen arguments: SCENE_PARAMETERS of kernels/scene.clh.
     void setSceneArguments(Kernel& kernel) const;
 
+    /// A posed object's vertices as VertexShader left them, in object space. Waits for the device. Errors:
+    /// the object is not posed on the device.
+    Result<std::vector<glm::vec3>> posedPositions(Id object) const;
+
     const InstanceStore& instances() const { return instances_; }
     const MaterialStore& materials() const { return materials_; }
 
@@ -36,9 +41,6 @@ class DeviceScene {
                                 DeviceState& state);
     Result<void> pose(const PlannedStage& stage, const Scene& scene, DeviceState& state);
     Result<void> shadeVertices(const PlannedStage& stage);
-    Result<void> shadeTriangles(const PlannedStage& stage);
-    Result<void> refit(const PlannedStage& stage);
-    Result<void> readRootBounds(const PlannedStage& stage);
 
     Context& context_;
     KernelSet& kernels_;
@@ -46,9 +48,7 @@ class DeviceScene {
     MaterialStore materials_;
     InstanceStore instances_;
     std::map<Id, Buffer<float>> bones_; ///< Skinning matrices of the posed objects, 3x4 row by row.
-    Buffer<DeviceRefitEntry> refitEntries_;
-    Buffer<std::uint32_t> roots_;
-    Buffer<float> rootBounds_;
+    TreeRefitter refitter_;
 };
 
 } // namespace prizma

@@ -101,6 +101,7 @@ Result<MeshPlace*> GeometryStore::addMesh(Context& context, const MeshPtr& mesh,
 
 Result<void> GeometryStore::addPosed(Context& context, Id object, const MeshPlace& place) {
     PosedPlace posed;
+    posed.tree = place.tree;
     posed.bounds = place.mesh->bounds;
     Steps steps;
     steps.run(posed.vertexBase, [&] { return addVertices(context, *place.mesh); });
@@ -109,6 +110,7 @@ Result<void> GeometryStore::addPosed(Context& context, Id object, const MeshPlac
     if (auto ok = steps.result(); !ok)
         return ok;
     posed_.insert_or_assign(object, posed);
+    ++posedRevision_;
     return {};
 }
 
@@ -134,6 +136,7 @@ void GeometryStore::remove(Id object) {
     if (const auto posed = posed_.find(object); posed != posed_.end()) {
         releasePosed(posed->second, place);
         posed_.erase(posed);
+        ++posedRevision_;
     }
     objects_.erase(found);
     if (--place.users == 0) {
@@ -157,16 +160,16 @@ void GeometryStore::releasePosed(const PosedPlace& posed, const MeshPlace& place
     normals_.release(3 * posed.vertexBase, 3 * vertices);
     texCoords_.release(2 * posed.vertexBase, 2 * vertices);
     if (layout_ == TreeLayout::Wide8) {
-        wideNodes_.release(posed.nodeBase, place.tree->wideNodes.size());
-        wideLeaves_.release(posed.leafBase, place.tree->wideLeaves.size());
+        wideNodes_.release(posed.nodeBase, posed.tree->wideNodes.size());
+        wideLeaves_.release(posed.leafBase, posed.tree->wideLeaves.size());
     } else {
-        binaryNodes_.release(posed.nodeBase, place.tree->binaryNodes.size());
-        binaryTriangles_.release(posed.leafBase, place.tree->binaryTriangles.size());
+        binaryNodes_.release(posed.nodeBase, posed.tree->binaryNodes.size());
+        binaryTriangles_.release(posed.leafBase, posed.tree->binaryTriangles.size());
     }
 }
 
 void GeometryStore::releaseMesh(const MeshPlace& place) {
-    releasePosed({place.vertexBase, place.nodeBase, place.leafBase, {}}, place);
+    releasePosed({place.tree, place.vertexBase, place.nodeBase, place.leafBase, {}, 0.0}, place);
     triangles_.release(place.triangleBase, place.mesh->triangles.size());
     if (place.mesh->isSkinned()) {
         firstInfluences_.release(place.firstInfluenceBase, place.mesh->firstInfluence.size());
@@ -185,6 +188,18 @@ ObjectPlace GeometryStore::placeOf(Id object) const {
 PosedPlace* GeometryStore::posedPlaceOf(Id object) {
     const auto posed = posed_.find(object);
     return posed == posed_.end() ? nullptr : &posed->second;
+}
+
+Result<std::vector<glm::vec3>> GeometryStore::readPosedPositions(Context& context, Id object) const {
+    const ObjectPlace place = placeOf(object);
+    if (!place.posed)
+        return failure("The object is not posed on the device.");
+    std::vector<glm::vec3> vertices(place.mesh->mesh->positions.size());
+    const std::span<float> values(reinterpret_cast<float*>(vertices.data()), 3 * vertices.size());
+    if (auto ok = positions().read(context, values, std::size_t{3} * place.posed->vertexBase, "vertices");
+        !ok)
+        return std::unexpected(ok.error());
+    return vertices;
 }
 
 Result<void> GeometryStore::ensure(Context& context) {
@@ -207,6 +222,10 @@ Result<void> GeometryStore::ensure(Context& context) {
         ensureOne(binaryTriangles_);
     }
     return ok;
+}
+
+std::size_t GeometryStore::nodeCapacity() const {
+    return layout_ == TreeLayout::Wide8 ? wideNodes_.buffer().capacity() : binaryNodes_.buffer().capacity();
 }
 
 cl_mem GeometryStore::nodes() const {

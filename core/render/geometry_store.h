@@ -20,8 +20,10 @@ struct MeshPlace {
 
 /// A Dynamic object's own copy of what moves: posed vertices, leaves and nodes.
 struct PosedPlace {
+    DeviceTreePtr tree;
     std::uint32_t vertexBase = 0, nodeBase = 0, leafBase = 0;
-    Bounds bounds; ///< Object space, of the pose it is in.
+    Bounds bounds;     ///< Object space, of the pose it is in.
+    double cost = 0.0; ///< Of the tree in that pose, as treeCost says.
 };
 
 /// What an instance refers to.
@@ -44,6 +46,9 @@ class GeometryStore {
     ObjectPlace placeOf(Id object) const;
     PosedPlace* posedPlaceOf(Id object);
 
+    /// The vertices of an object's pose; waits for the device. Errors: the object is not posed.
+    Result<std::vector<glm::vec3>> readPosedPositions(Context& context, Id object) const;
+
     /// Buffers exist even without geometry, so that kernels can be given them.
     Result<void> ensure(Context& context);
 
@@ -55,6 +60,10 @@ class GeometryStore {
     const Buffer<DeviceInfluence>& influences() const { return influences_.buffer(); }
     cl_mem nodes() const;
     cl_mem leaves() const;
+    std::size_t nodeCapacity() const; ///< Nodes that the buffer has room for.
+
+    /// Changes whenever a posed place comes, goes or moves.
+    std::uint64_t posedRevision() const { return posedRevision_; }
 
   private:
     Result<MeshPlace*> addMesh(Context& context, const MeshPtr& mesh, const DeviceTreePtr& tree);
@@ -83,6 +92,7 @@ class GeometryStore {
     std::map<const Mesh*, MeshPlace> meshes_;
     std::map<Id, MeshPlace*> objects_;
     std::map<Id, PosedPlace> posed_;
+    std::uint64_t posedRevision_ = 0;
 };
 
 } // namespace prizma

@@ -37,8 +37,9 @@ Result<KernelSet> KernelSet::create(Context& context, TreeLayout layout, std::fu
     };
     load("vertex_shader.cl", {{&set.vertexShader, "vertexShader"}});
     load("triangle_shader.cl", {{&set.triangleShader, "triangleShader"}});
-    load("refit_tree_shader.cl",
-         {{&set.refitTreeShader, "refitTreeShader"}, {&set.gatherRootBounds, "gatherRootBounds"}});
+    load("refit_tree_shader.cl", {{&set.refitTreeShader, "refitTreeShader"},
+                                  {&set.refitSmallLevels, "refitSmallLevels"},
+                                  {&set.gatherRoots, "gatherRoots"}});
     load("generate_camera_rays.cl", {{&set.generateCameraRays, "generateCameraRays"}});
     load("trace.cl", {{&set.traceClosest, "traceClosest"},
                       {&set.traceAny, "traceAny"},

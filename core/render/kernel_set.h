@@ -17,7 +17,7 @@ class KernelSet {
     /// `building` is told before something is compiled that may take seconds.
     static Result<KernelSet> create(Context& context, TreeLayout layout, std::function<void()> building = {});
 
-    Kernel vertexShader, triangleShader, refitTreeShader, gatherRootBounds;
+    Kernel vertexShader, triangleShader, refitTreeShader, refitSmallLevels, gatherRoots;
     Kernel generateCameraRays, traceClosest, traceAny, tracePacket;
     Kernel toneMap, meanRadiance;
 

@@ -9,12 +9,10 @@ using namespace prizma::test;
 
 namespace {
 
-Object bendingObject() {
-    Object object;
-    object.mesh = makeBendingMesh();
-    object.clips = {makeBendClip()};
+/// Away from the origin, turned and scaled.
+Object placedObject() {
+    Object object = bendingObject();
     object.clip = "bend";
-    object.dynamic = true;
     object.transform.translation = {1e6, 2.0, 3.0};
     object.transform.rotation = rotationFromEulerDegrees({0.0, 90.0, 0.0});
     object.transform.scale = glm::dvec3(2.0);
@@ -38,7 +36,7 @@ class TestBonePlaces : public QObject {
 };
 
 void TestBonePlaces::bindPoseIsWhereTheBonesAre() {
-    Object object = bendingObject();
+    Object object = placedObject();
     object.clip.clear();
     const auto places = bonePlaces(object, 0.7);
     QCOMPARE(places.size(), std::size_t{2});
@@ -51,7 +49,7 @@ void TestBonePlaces::bindPoseIsWhereTheBonesAre() {
 
 void TestBonePlaces::jointsFollowTheSkin() {
     // What hangs on one bone alone goes where the skinning matrices take it: so does the place of its joint.
-    const Object object = bendingObject();
+    const Object object = placedObject();
     const Skeleton& skeleton = *object.mesh->skeleton;
     for (const double seconds : {0.0, 0.31, 0.5, 1.23, 17.7}) {
         const auto places = bonePlaces(object, seconds);
@@ -67,7 +65,7 @@ void TestBonePlaces::jointsFollowTheSkin() {
 }
 
 void TestBonePlaces::staticObjectsStandStill() {
-    Object object = bendingObject();
+    Object object = placedObject();
     object.dynamic = false;
     QVERIFY(isNear(*bonePlaces(object, 0.5)[1].tip, *bonePlaces(object, 0.0)[1].tip));
 }

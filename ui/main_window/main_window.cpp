@@ -5,6 +5,7 @@
 #include "core/scene/starter_scene.h"
 #include "ui/document/document.h"
 #include "ui/document/strings.h"
+#include "ui/export/export_actions.h"
 #include "ui/import/import_controller.h"
 #include "ui/import/import_settings.h"
 #include "ui/log/log_panel.h"
@@ -71,6 +72,7 @@ MainWindow::MainWindow(const QString& deviceId, QWidget* parent)
       statusBar_(new StatusBar),
       fileActions_(new FileActions(*document_, *importer_, *viewport_, *this)),
       editActions_(new EditActions(*document_, *this)),
+      exportActions_(new ExportActions(*document_, *session_, *this)),
       viewActions_(new ViewActions(*document_, *session_, *viewport_, *this)),
       helpActions_(new HelpActions(*this)),
       viewportMenu_(new ViewportMenu(*session_, *viewActions_, editActions_->selectionActions(), *this)) {
@@ -151,6 +153,7 @@ void MainWindow::makePanels() {
     connect(sceneTree_, &SceneTree::refused, this, warn);
     connect(propertyEditor_, &PropertyEditor::message, this, &MainWindow::report);
     connect(fileActions_, &FileActions::message, this, &MainWindow::report);
+    connect(exportActions_, &ExportActions::message, this, &MainWindow::report);
     connect(log_, &LogPanel::jumpRequested, this, &MainWindow::jumpTo);
     connect(log_, &LogPanel::errorAdded, this, [this] {
         if (!preferences::opensLogOnError())
@@ -161,7 +164,7 @@ void MainWindow::makePanels() {
 }
 
 void MainWindow::makeMenus() {
-    fileActions_->fillMenu(*menuBar()->addMenu(tr("&File")));
+    fileActions_->fillMenu(*menuBar()->addMenu(tr("&File")), exportActions_->exportAnimation());
     editActions_->fillEditMenu(*menuBar()->addMenu(tr("&Edit")));
     editActions_->fillAddMenu(*menuBar()->addMenu(tr("&Add")));
     QList<QAction*> toggles;

@@ -13,6 +13,7 @@ namespace prizma {
 
 class Document;
 class EditActions;
+class ExportActions;
 class FileActions;
 class HelpActions;
 class ImportController;
@@ -57,6 +58,7 @@ class MainWindow : public QMainWindow {
     LogPanel& log() { return *log_; }
     TimelineController& timeline() { return *timeline_; }
     TimelinePanel& timelinePanel() { return *timelinePanel_; }
+    ExportActions& exportActions() { return *exportActions_; }
     FileActions& fileActions() { return *fileActions_; }
 
     /// Adds a panel that can be moved, closed and found in the View menu; `name` is what it is remembered by.
@@ -95,6 +97,7 @@ class MainWindow : public QMainWindow {
     StatusBar* statusBar_;
     FileActions* fileActions_;
     EditActions* editActions_;
+    ExportActions* exportActions_;
     ViewActions* viewActions_;
     HelpActions* helpActions_;
     ViewportMenu* viewportMenu_;

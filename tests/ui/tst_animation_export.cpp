@@ -46,7 +46,7 @@ class TestAnimationExport : public QObject {
         return file(QStringLiteral("strip_%1.png").arg(frame, 4, 10, QLatin1Char('0')));
     }
 
-    /// The dialog, filled in for frames 0 to `last` of 32 x 24 pixels with one sample.
+    /// The dialog, filled in for frames 0 to `last` of 96 x 72 pixels with one sample.
     AnimationExportDialog* openDialog(int last);
     void accept(AnimationExportDialog& dialog);
 
@@ -74,7 +74,7 @@ AnimationExportDialog* TestAnimationExport::openDialog(int last) {
         return nullptr;
     for (const auto& [name, text] :
          {std::pair("firstFrame", QStringLiteral("0")), std::pair("lastFrame", QString::number(last)),
-          std::pair("width", QStringLiteral("32")), std::pair("height", QStringLiteral("24")),
+          std::pair("width", QStringLiteral("96")), std::pair("height", QStringLiteral("72")),
           std::pair("samples", QStringLiteral("1"))})
         typeInto(*dialog->findChild<NumberField*>(QString::fromLatin1(name)), text);
     dialog->setOutput(file(QStringLiteral("strip_####.png")));
@@ -128,7 +128,7 @@ void TestAnimationExport::picturesMoveWithTheClip() {
     QTRY_VERIFY(!window_->findChild<ExportProgressDialog*>());
     for (int frame = 0; frame <= 3; ++frame) {
         const QImage picture(frameName(frame));
-        QCOMPARE(picture.size(), QSize(32, 24));
+        QCOMPARE(picture.size(), QSize(96, 72));
         QVERIFY(frame == 0 || picture != QImage(frameName(frame - 1)));
     }
     QCOMPARE(QDir(folder_->path()).entryList(QDir::Files).size(), 4);

@@ -29,6 +29,11 @@ void moveMouse(QWidget& widget, const QPoint& to, Qt::MouseButtons buttons = Qt:
     QApplication::sendEvent(&widget, &move);
 }
 
+/// Up to what clocks round.
+bool isNear(double a, double b) {
+    return std::abs(a - b) < 1e-6;
+}
+
 } // namespace
 
 class TestTimeline : public QObject {
@@ -440,22 +445,22 @@ void TestTimeline::controllerKeepsRealTime() {
     document.edit(QStringLiteral("range"), [](Scene& s) { s.timeline = {10.0, 0, 9, 0.0}; });
     timeline.play();
     now += 0.55;
-    QTRY_COMPARE(document.scene().timeline.frame, 5.5);
+    QTRY_VERIFY(isNear(document.scene().timeline.frame, 5.5));
     now += 1e3; // nobody had time for a thousand seconds: it is where it would be
-    QTRY_VERIFY(std::abs(document.scene().timeline.frame - 5.5) < 1e-6);
+    QTRY_VERIFY(isNear(document.scene().timeline.frame, 5.5));
     now += 0.2;
-    QTRY_VERIFY(std::abs(document.scene().timeline.frame - 7.5) < 1e-6);
+    QTRY_VERIFY(isNear(document.scene().timeline.frame, 7.5));
     timeline.setSpeed(-1.0);
     now += 0.3;
-    QTRY_VERIFY(std::abs(document.scene().timeline.frame - 4.5) < 1e-6);
+    QTRY_VERIFY(isNear(document.scene().timeline.frame, 4.5));
     // A range that changes while it plays.
     document.edit(QStringLiteral("range"), [](Scene& s) { s.timeline.fps = 20.0; });
     now += 0.1;
-    QTRY_VERIFY(std::abs(document.scene().timeline.frame - 2.5) < 1e-6);
+    QTRY_VERIFY(isNear(document.scene().timeline.frame, 2.5));
     // Somebody else who moves in time.
     document.setFrame(8.0);
     now += 0.1;
-    QTRY_VERIFY(std::abs(document.scene().timeline.frame - 6.0) < 1e-6);
+    QTRY_VERIFY(isNear(document.scene().timeline.frame, 6.0));
 }
 
 void TestTimeline::controllerStopsOnWholeFrames() {
@@ -481,7 +486,7 @@ void TestTimeline::controllerStopsOnWholeFrames() {
     timeline.play(); // once more from the start
     QCOMPARE(document.scene().timeline.frame, 9.0);
     now += 0.1;
-    QTRY_COMPARE(document.scene().timeline.frame, 3.0);
+    QTRY_VERIFY(isNear(document.scene().timeline.frame, 3.0));
     timeline.stop();
     QVERIFY(!timeline.isPlaying());
     QCOMPARE(document.scene().timeline.frame, 2.0);

@@ -1,3 +1,4 @@
+#include "app/render/bench_animation.h"
 #include "app/render/command.h"
 #include "app/render/load_scene.h"
 #include "core/bench/build_bench.h"
@@ -209,6 +210,7 @@ void addBenchCommand(CLI::App& app) {
     addTraceCommand(*command);
     addBuildCommand(*command);
     addRefitCommand(*command);
+    addAnimationBenches(*command);
 }
 
 } // namespace prizma

@@ -136,6 +136,8 @@ void renderFrames(Renderer& renderer, const Scene& scene, const RenderArguments&
     const double fps = scene.timeline.fps;
     if (const std::string fault = findVideoFault(options, arguments, fps); !fault.empty())
         fail({Severity::Error, fault, arguments.video, 0});
+    if (!arguments.video.empty() && !isVideoEncoderInstalled()) // not after hours of rendering
+        fail(missingVideoEncoder());
     const int count = options.last - options.first + 1;
     Progress progress;
     const auto summary = renderSequence(renderer, scene, options, progress, [&](const SequenceFrame& done) {

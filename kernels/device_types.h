@@ -183,7 +183,7 @@ typedef struct {
     float padding;
 } DeviceMorphOffset;
 
-#define PRIZMA_VERTICES_A_BLOCK 256u
+#define PRIZMA_VERTICES_A_BLOCK 64u
 #define PRIZMA_NO_WEIGHTS 0xFFFFFFFFu
 
 // Neighbouring vertices of one object: what a work group of VertexShader does.

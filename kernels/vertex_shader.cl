@@ -60,7 +60,8 @@ kernel void vertexShader(global float* positions, global float* normals, const g
                          const global DeviceMorphOffset* offsets, const global BoneMatrix* bones,
                          const global float* weights) {
     DeviceVertexBlock block = blocks[get_group_id(0)];
-    for (uint i = get_local_id(0); i < block.count; i += get_local_size(0)) {
+    uint i = get_local_id(0);
+    if (i < block.count) {
         const global DeviceSkinVertex* source = vertices + block.bindVertex + i;
         Vertex vertex = bindVertex(source);
         float3 bindNormal = vertex.normal;

@@ -48,6 +48,10 @@ Result<std::vector<glm::vec3>> DeviceScene::posedPositions(Id object) const {
     return geometry_.readPosedPositions(context_, object);
 }
 
+Result<ObjectVertices> DeviceScene::vertices(Id object) const {
+    return geometry_.readVertices(context_, object);
+}
+
 Result<void> DeviceScene::uploadGeometry(const PlannedStage& stage, const Scene& scene, TreeStore& trees,
                                          DeviceState& state) {
     for (const Id id : stage.objects) {

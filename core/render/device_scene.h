@@ -34,6 +34,9 @@ class DeviceScene {
     /// the object is not posed on the device.
     Result<std::vector<glm::vec3>> posedPositions(Id object) const;
 
+    /// Any object's vertices as they are on the device, in object space. Waits for it.
+    Result<ObjectVertices> vertices(Id object) const;
+
     const InstanceStore& instances() const { return instances_; }
     const MaterialStore& materials() const { return materials_; }
 

@@ -192,6 +192,24 @@ Result<std::vector<glm::vec3>> GeometryStore::readPosedPositions(Context& contex
     return vertices;
 }
 
+Result<ObjectVertices> GeometryStore::readVertices(Context& context, Id object) const {
+    const ObjectPlace place = placeOf(object);
+    if (!place.mesh)
+        return failure("The object is not on the device.");
+    const std::size_t first = 3 * (place.posed ? place.posed->vertexBase : place.mesh->vertexBase);
+    ObjectVertices vertices;
+    const auto read = [&](const Buffer<float>& from, std::vector<glm::vec3>& to) {
+        to.resize(place.mesh->mesh->positions.size());
+        const std::span<float> values(reinterpret_cast<float*>(to.data()), 3 * to.size());
+        return from.read(context, values, first, "vertices");
+    };
+    if (auto ok = read(positions(), vertices.positions); !ok)
+        return std::unexpected(ok.error());
+    if (auto ok = read(normals(), vertices.normals); !ok)
+        return std::unexpected(ok.error());
+    return vertices;
+}
+
 Result<void> GeometryStore::ensure(Context& context) {
     Result<void> ok;
     const auto ensureOne = [&](auto& arena) {

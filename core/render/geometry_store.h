@@ -27,6 +27,11 @@ struct PosedPlace {
     double cost = 0.0; ///< Of the tree in that pose, as treeCost says.
 };
 
+/// An object's vertices, in object space.
+struct ObjectVertices {
+    std::vector<glm::vec3> positions, normals;
+};
+
 /// What an instance refers to.
 struct ObjectPlace {
     const MeshPlace* mesh = nullptr;
@@ -49,6 +54,10 @@ class GeometryStore {
 
     /// The vertices of an object's pose; waits for the device. Errors: the object is not posed.
     Result<std::vector<glm::vec3>> readPosedPositions(Context& context, Id object) const;
+
+    /// The vertices of an object as they are on the device, in its pose if it is posed; waits for the device.
+    /// Errors: its geometry is not there.
+    Result<ObjectVertices> readVertices(Context& context, Id object) const;
 
     /// Buffers exist even without geometry, so that kernels can be given them.
     Result<void> ensure(Context& context);

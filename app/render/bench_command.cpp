@@ -29,7 +29,7 @@ Scene sceneOf(const Arguments& arguments) {
     if (arguments.file.empty())
         return bench::makeProceduralScene(arguments.instanced ? bench::ProceduralForm::Instances
                                                               : bench::ProceduralForm::OneMesh);
-    auto scene = loadScene(arguments.file, "y", double(arguments.trace.width) / arguments.trace.height);
+    auto scene = loadScene(arguments.file, {}, double(arguments.trace.width) / arguments.trace.height);
     if (!scene)
         fail(scene.error());
     return std::move(*scene);

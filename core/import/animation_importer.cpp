@@ -91,22 +91,25 @@ Result<ImportedAnimation> importAnimation(const std::string& file, const Skeleto
 }
 
 void addAnimation(Object& object, const ImportedAnimation& animation) {
+    const auto stemOf = [](const std::string& file) { return std::filesystem::path(file).stem(); };
     const bool again = std::ranges::find(object.clipFiles, animation.file) != object.clipFiles.end();
+    // Of two files of one name nobody knows which clip came from which.
+    const bool replaces = again && std::ranges::count(object.clipFiles, stemOf(animation.file), stemOf) == 1;
     if (!again)
         object.clipFiles.push_back(animation.file);
     std::string first;
     for (const ClipPtr& clip : animation.clips) {
+        Clip named = *clip;
         const auto same = std::ranges::find_if(
             object.clips, [&](const ClipPtr& other) { return other->name == clip->name; });
-        if (again && same != object.clips.end()) {
+        if (replaces && same != object.clips.end()) {
             *same = clip;
         } else {
-            Clip named = *clip;
             named.name = freeClipName(object.clips, clip->name);
-            object.clips.push_back(std::make_shared<Clip>(std::move(named)));
+            object.clips.push_back(std::make_shared<Clip>(named));
         }
         if (first.empty())
-            first = again ? clip->name : object.clips.back()->name;
+            first = named.name;
     }
     if (object.clip.empty())
         object.clip = first;

@@ -245,7 +245,7 @@ class TestQc : public QObject {
             up += "../";
         for (const std::string& name :
              {longName, up + "etc/passwd", std::string("/dev/zero"), std::string("/proc/self/mem"),
-              std::string("."), std::string(".."), std::string("tiny.smd/tiny.smd"),
+              std::string("."), std::string(".."), std::string("tiny.smd/x.smd"),
               std::string("\\\\server\\share\\x.smd")}) {
             const auto model =
                 import(write("odd.qc", "$include \"" + name + "\"\n$cdmaterials \"" + name +

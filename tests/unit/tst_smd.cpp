@@ -505,11 +505,15 @@ class TestSmd : public QObject {
         QCOMPARE(object.clips[1]->name, std::string("walk 2"));
         QCOMPARE(object.clip, std::string("walk"));
         // The same file again replaces its clip.
-        walk.clips = {std::make_shared<Clip>(Clip{"walk", 30.0, 7, true, {}})};
-        addAnimation(object, walk);
-        QCOMPARE(object.clips.size(), std::size_t(2));
-        QCOMPARE(object.clips[0]->frameCount, 7);
-        QCOMPARE(object.clipFiles, (std::vector<std::string>{"/a/walk.smd", "/b/walk.smd"}));
+        ImportedAnimation run;
+        run.file = "/a/run.smd";
+        run.clips = {std::make_shared<Clip>(Clip{"run", 30.0, 1, true, {}})};
+        addAnimation(object, run);
+        run.clips = {std::make_shared<Clip>(Clip{"run", 30.0, 7, true, {}})};
+        addAnimation(object, run);
+        QCOMPARE(object.clips.size(), std::size_t(3));
+        QCOMPARE(object.clips[2]->frameCount, 7);
+        QCOMPARE(object.clipFiles, (std::vector<std::string>{"/a/walk.smd", "/b/walk.smd", "/a/run.smd"}));
     }
 
     void flexesBecomeMorphTargets() {

@@ -19,4 +19,23 @@ class Progress {
     std::atomic<bool> cancelled_{false};
 };
 
+/// A step of a longer piece of work: its own 0 to 1 is a part of the whole.
+class ProgressPart {
+  public:
+    explicit ProgressPart(Progress& whole, double from = 0.0, double to = 1.0)
+        : whole_(whole), from_(from), to_(to) {}
+
+    void set(double fraction) const { whole_.set(from_ + (to_ - from_) * fraction); }
+    bool isCancelled() const { return whole_.isCancelled(); }
+
+    /// The part of this part from `from` to `to`.
+    ProgressPart part(double from, double to) const {
+        return ProgressPart(whole_, from_ + (to_ - from_) * from, from_ + (to_ - from_) * to);
+    }
+
+  private:
+    Progress& whole_;
+    double from_, to_;
+};
+
 } // namespace prizma

@@ -1,3 +1,4 @@
+#include "app/render/bench_animation.h"
 #include "app/render/command.h"
 #include "app/render/load_scene.h"
 #include "core/bench/build_bench.h"
@@ -28,7 +29,7 @@ Scene sceneOf(const Arguments& arguments) {
     if (arguments.file.empty())
         return bench::makeProceduralScene(arguments.instanced ? bench::ProceduralForm::Instances
                                                               : bench::ProceduralForm::OneMesh);
-    auto scene = loadScene(arguments.file, "y", double(arguments.trace.width) / arguments.trace.height);
+    auto scene = loadScene(arguments.file, {}, double(arguments.trace.width) / arguments.trace.height);
     if (!scene)
         fail(scene.error());
     return std::move(*scene);
@@ -209,6 +210,7 @@ void addBenchCommand(CLI::App& app) {
     addTraceCommand(*command);
     addBuildCommand(*command);
     addRefitCommand(*command);
+    addAnimationBenches(*command);
 }
 
 } // namespace prizma

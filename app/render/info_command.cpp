@@ -1,14 +1,11 @@
 #include "app/render/command.h"
+#include "app/render/load_scene.h"
 #include "core/animation/posed_bounds.h"
-#include "core/import/model_importer.h"
-#include "core/project/project_file.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -18,42 +15,6 @@ namespace prizma {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// A model or a project, seen as a scene.
-struct Contents {
-    Scene scene;
-    Diagnostics warnings;
-    bool isProject = false;
-};
-
-bool isProjectFile(const std::string& file) {
-    std::string extension = std::filesystem::path(file).extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension == ".prizma";
-}
-
-Result<Contents> readContents(const std::string& file) {
-    Progress progress;
-    Contents contents;
-    contents.isProject = isProjectFile(file);
-    if (contents.isProject) {
-        auto project = loadProject(file, progress);
-        if (!project)
-            return std::unexpected(project.error());
-        contents.scene = std::move(project->scene);
-        contents.warnings = std::move(project->warnings);
-        return contents;
-    }
-    const auto model = importModel(file, {}, progress);
-    if (!model)
-        return std::unexpected(model.error());
-    MeshSource source;
-    source.file = file;
-    addModel(contents.scene, *model, source);
-    contents.warnings = model->warnings;
-    return contents;
-}
 
 std::size_t mostWeights(const Mesh& mesh) {
     std::size_t most = 0;
@@ -113,9 +74,9 @@ Json namesOf(const List& list) {
     return names;
 }
 
-Json describeContents(const std::string& file, const Contents& contents) {
+Json describeContents(const std::vector<std::string>& files, const LoadedFiles& contents) {
     const Scene& scene = contents.scene;
-    Json info{{"file", file}, {"kind", contents.isProject ? "project" : "model"}};
+    Json info{{"file", files.front()}, {"kind", contents.isProject ? "project" : "model"}};
     addGeometry(scene, info);
     info["materials"] = namesOf(scene.materials);
     info["textures"] = texturesOf(scene);
@@ -164,17 +125,15 @@ void printForPeople(const Json& info) {
 }
 
 struct Options {
-    std::string file;
+    std::vector<std::string> files;
     bool json = false;
 };
 
 void runInfo(const Options& options) {
-    const auto contents = readContents(options.file);
-    if (!contents) {
-        std::cerr << describe(contents.error()) << '\n';
-        throw CLI::RuntimeError(1);
-    }
-    const Json info = describeContents(options.file, *contents);
+    const auto contents = loadFiles(options.files);
+    if (!contents)
+        fail(contents.error());
+    const Json info = describeContents(options.files, *contents);
     if (options.json)
         std::cout << info.dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
     else
@@ -186,7 +145,10 @@ void runInfo(const Options& options) {
 void addInfoCommand(CLI::App& app) {
     auto* command = app.add_subcommand("info", "What a model or project holds, and its warnings");
     const auto options = std::make_shared<Options>();
-    command->add_option("file", options->file, "A model or a .prizma project")->required();
+    command
+        ->add_option("files", options->files,
+                     "A .prizma project, or a model; animations may follow that belong to it")
+        ->required();
     command->add_flag("--json", options->json, "Print JSON for scripts");
     command->callback([options] { runInfo(*options); });
 }

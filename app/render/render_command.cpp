@@ -19,7 +19,8 @@ namespace prizma {
 namespace {
 
 struct RenderArguments {
-    std::string file, output, device, shader, upAxis = "y";
+    std::vector<std::string> files;
+    std::string output, device, shader, upAxis;
     OfflineOptions options;
     double frame = 0.0;
     bool hasFrame = false;
@@ -75,7 +76,7 @@ void printStatistics(const OfflinePicture& p, const std::string& device) {
 
 Result<Scene> prepareScene(const RenderArguments& arguments) {
     const double aspect = static_cast<double>(arguments.options.width) / arguments.options.height;
-    auto scene = loadScene(arguments.file, arguments.upAxis, aspect);
+    auto scene = loadScene(arguments.files, arguments.upAxis, aspect);
     if (!scene)
         return scene;
     if (!arguments.shader.empty())
@@ -136,6 +137,8 @@ void renderFrames(Renderer& renderer, const Scene& scene, const RenderArguments&
     const double fps = scene.timeline.fps;
     if (const std::string fault = findVideoFault(options, arguments, fps); !fault.empty())
         fail({Severity::Error, fault, arguments.video, 0});
+    if (!arguments.video.empty() && !isVideoEncoderInstalled()) // not after hours of rendering
+        fail(missingVideoEncoder());
     const int count = options.last - options.first + 1;
     Progress progress;
     const auto summary = renderSequence(renderer, scene, options, progress, [&](const SequenceFrame& done) {
@@ -176,7 +179,10 @@ void run(const RenderArguments& arguments) {
 void addRenderCommand(CLI::App& app) {
     CLI::App* command = app.add_subcommand("render", "Render a picture of a project or of a bare model");
     auto a = std::make_shared<RenderArguments>();
-    command->add_option("file", a->file, "A .prizma project or a model")->required();
+    command
+        ->add_option("files", a->files,
+                     "A .prizma project, or a model; animations may follow that belong to it")
+        ->required();
     command->add_option("-o,--output", a->output, "Picture to write: .png or .exr")->required();
     command->add_option("--width", a->options.width, "Pixels across")
         ->check(CLI::Range(1, 32768))
@@ -202,7 +208,8 @@ void addRenderCommand(CLI::App& app) {
         ->needs(frames);
     command->add_option("--shader", a->shader, "whitted, normals, texcoords, depth or cost");
     command->add_option("--device", a->device, "OpenCL device, as \"devices\" lists it");
-    command->add_option("--up", a->upAxis, "Up axis of a bare model")->check(CLI::IsMember({"y", "z"}));
+    command->add_option("--up", a->upAxis, "Up axis of a bare model; without: what is usual for the format")
+        ->check(CLI::IsMember({"y", "z"}));
     command->add_option("--set", a->assignments, "Change a property, for example lights.key.intensity=80");
     command->add_flag("--stats", a->statistics, "Print what the picture took");
     command->add_flag("--json", a->json, "Print the statistics as JSON");

@@ -44,7 +44,7 @@ std::vector<double> weightsOf(const Object& object) {
 } // namespace
 
 bool isPosed(const Object& object) {
-    return object.dynamic && object.mesh && object.mesh->isSkinned();
+    return object.dynamic && object.mesh && object.mesh->canBePosed();
 }
 
 ClipPtr findClip(const Object& object, const std::string& name) {

@@ -4,6 +4,7 @@
 #include "core/import/assimp_material.h"
 #include "core/import/assimp_skin.h"
 #include "core/import/file_finder.h"
+#include "core/import/file_space.h"
 #include "core/import/mesh_builder.h"
 
 #include <assimp/Importer.hpp>
@@ -25,15 +26,6 @@ std::unexpected<Diagnostic> cancelled(const std::string& file) {
     return failure("The import was cancelled.", file);
 }
 
-glm::dmat4 axesAndUnits(const ImportOptions& options) {
-    glm::dmat4 matrix(1.0);
-    if (options.upAxis == UpAxis::Z)
-        matrix = {{1, 0, 0, 0}, {0, 0, -1, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}};
-    for (int column = 0; column < 3; ++column)
-        matrix[column] *= options.unitScale;
-    return matrix;
-}
-
 bool isFinite(const glm::vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
@@ -44,7 +36,7 @@ class ModelBuilder {
     ModelBuilder(const aiScene& scene, const std::string& file, const std::vector<std::string>& folders,
                  const ImportOptions& options)
         : scene_(scene),
-          toObject_(axesAndUnits(options)),
+          toObject_(fileToObject(options.upAxis, options.unitScale)),
           materials_(scene, file, folders, model_.warnings),
           slotOfMaterial_(scene.mNumMaterials) {
         if (AssimpSkin::isNeeded(scene))
@@ -208,51 +200,99 @@ std::string sentence(std::string text) {
     return text.empty() ? "the file is damaged" : text;
 }
 
-Result<ImportedModel> readScene(const std::string& file, const ImportOptions& options, Progress& progress) {
-    AssimpFiles files(file);
-    AssimpProgress handler(progress, readingShare);
-    Assimp::Importer importer;
-    importer.SetIOHandler(&files);
-    importer.SetProgressHandler(&handler);
-    // The importer deletes its handlers unless they are taken back before it goes.
-    struct Release {
-        Assimp::Importer& importer;
-        ~Release() {
-            importer.SetIOHandler(nullptr);
-            importer.SetProgressHandler(nullptr);
-        }
-    } const release{importer};
-    const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate);
-    if (progress.isCancelled())
-        return cancelled(file);
-    if (!scene || !scene->mRootNode)
-        return failure("The model could not be read: " + sentence(importer.GetErrorString()) + ".", file);
-    ModelBuilder builder(*scene, file, files.folders(), options);
+/// A file as assimp reads it.
+class AssimpFile {
+  public:
+    AssimpFile(const std::string& file, Progress& progress)
+        : file_(file), progress_(progress), files_(file), handler_(progress, readingShare) {
+        importer_.SetIOHandler(&files_);
+        importer_.SetProgressHandler(&handler_);
+    }
+    AssimpFile(const AssimpFile&) = delete;
+    AssimpFile& operator=(const AssimpFile&) = delete;
+    ~AssimpFile() { // the importer would delete its handlers
+        importer_.SetIOHandler(nullptr);
+        importer_.SetProgressHandler(nullptr);
+    }
+
+    Result<const aiScene*> read() {
+        const aiScene* scene = importer_.ReadFile(file_, aiProcess_Triangulate);
+        if (progress_.isCancelled())
+            return cancelled(file_);
+        if (!scene || !scene->mRootNode)
+            return failure("The file could not be read: " + sentence(importer_.GetErrorString()) + ".",
+                           file_);
+        return scene;
+    }
+
+    const AssimpFiles& files() const { return files_; }
+
+  private:
+    std::string file_;
+    Progress& progress_;
+    AssimpFiles files_;
+    AssimpProgress handler_;
+    Assimp::Importer importer_;
+};
+
+Result<ImportedModel> readModel(const std::string& file, const ImportOptions& options, Progress& progress) {
+    AssimpFile source(file, progress);
+    const auto scene = source.read();
+    if (!scene)
+        return std::unexpected(scene.error());
+    ModelBuilder builder(**scene, file, source.files().folders(), options);
     builder.addNodes();
     progress.set(0.8);
     if (progress.isCancelled())
         return cancelled(file);
     ImportedModel model = builder.finish();
-    warnOfMissingFiles(files, file, model.warnings);
+    warnOfMissingFiles(source.files(), file, model.warnings);
     for (Diagnostic& warning : model.warnings)
         if (warning.file.empty())
             warning.file = file;
     return model;
 }
 
+Result<AssimpAnimations> readAnimations(const std::string& file, const ImportOptions& options,
+                                        Progress& progress) {
+    AssimpFile source(file, progress);
+    const auto scene = source.read();
+    if (!scene)
+        return std::unexpected(scene.error());
+    const AssimpSkin skin(**scene, fileToObject(options.upAxis, options.unitScale));
+    AssimpAnimations animations{skin.skeleton(), skin.clips(**scene)};
+    if (animations.clips.size() == 1 && (*scene)->mAnimations[0]->mName.length == 0) {
+        Clip clip = *animations.clips[0];
+        clip.name = std::filesystem::path(file).stem().string();
+        animations.clips[0] = std::make_shared<Clip>(std::move(clip));
+    }
+    return animations;
+}
+
+/// Calls `read` and turns what assimp throws into errors.
+template <class Read>
+auto guarded(const std::string& file, Progress& progress, const Read& read) -> decltype(read()) {
+    try {
+        return read();
+    } catch (const std::bad_alloc&) {
+        return failure("The file does not fit into memory.", file);
+    } catch (const std::exception& error) {
+        if (progress.isCancelled())
+            return cancelled(file);
+        return failure("The file could not be read: " + sentence(error.what()) + ".", file);
+    }
+}
+
 } // namespace
 
 Result<ImportedModel> importWithAssimp(const std::string& file, const ImportOptions& options,
                                        Progress& progress) {
-    try {
-        return readScene(file, options, progress);
-    } catch (const std::bad_alloc&) {
-        return failure("The model does not fit into memory.", file);
-    } catch (const std::exception& error) {
-        if (progress.isCancelled())
-            return cancelled(file);
-        return failure("The model could not be read: " + sentence(error.what()) + ".", file);
-    }
+    return guarded(file, progress, [&] { return readModel(file, options, progress); });
+}
+
+Result<AssimpAnimations> importAnimationsWithAssimp(const std::string& file, const ImportOptions& options,
+                                                    Progress& progress) {
+    return guarded(file, progress, [&] { return readAnimations(file, options, progress); });
 }
 
 } // namespace prizma

@@ -33,6 +33,8 @@ class AssimpSkin {
     /// Completes a mesh that was built from the bound ones.
     void apply(BuiltMesh& built);
 
+    const Skeleton& skeleton() const { return skeleton_; }
+
     std::vector<ClipPtr> clips(const aiScene& scene) const;
 
   private:

@@ -41,8 +41,15 @@ std::optional<fs::path> findRegardlessOfCase(const fs::path& path) {
             return std::nullopt;
         found = *next;
     }
-    return isFile(found) ? std::optional(found) : std::nullopt;
+    return found;
 }
+
+std::optional<fs::path> findFileRegardlessOfCase(const fs::path& path) {
+    const auto found = findRegardlessOfCase(path);
+    return found && isFile(*found) ? found : std::nullopt;
+}
+
+constexpr std::size_t longestName = 4096; ///< Beyond it no system has a file, and looking takes long.
 
 } // namespace
 
@@ -58,18 +65,28 @@ std::string cleanFileName(const std::string& name) {
 
 std::optional<std::string> findFile(const std::string& folder, const std::string& name) {
     const std::string clean = cleanFileName(name);
-    if (clean.empty() || clean.find('\0') != std::string::npos)
+    if (clean.empty() || name.size() > longestName || clean.find('\0') != std::string::npos)
         return std::nullopt;
     if (isFile(fs::path(folder) / name)) // a name that really has quotes or backslashes in it
         return absolutePath((fs::path(folder) / name).string());
     const fs::path path = fs::path(absolutePath(folder)) / clean;
     if (isFile(path))
         return absolutePath(path.string());
-    if (const auto found = findRegardlessOfCase(path.lexically_normal()))
+    if (const auto found = findFileRegardlessOfCase(path.lexically_normal()))
         return found->string();
-    if (const auto found = findRegardlessOfCase(fs::path(absolutePath(folder)) / fs::path(clean).filename()))
+    if (const auto found =
+            findFileRegardlessOfCase(fs::path(absolutePath(folder)) / fs::path(clean).filename()))
         return found->string();
     return std::nullopt;
+}
+
+std::optional<std::string> findFolder(const std::string& folder, const std::string& name) {
+    const std::string clean = cleanFileName(name);
+    if (clean.empty() || clean.size() > longestName || clean.find('\0') != std::string::npos)
+        return std::nullopt;
+    std::error_code error;
+    const auto found = findRegardlessOfCase((fs::path(absolutePath(folder)) / clean).lexically_normal());
+    return found && fs::is_directory(*found, error) ? std::optional(found->string()) : std::nullopt;
 }
 
 std::string expectedPath(const std::string& folder, const std::string& name) {

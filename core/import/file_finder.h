@@ -12,6 +12,9 @@ std::string cleanFileName(const std::string& name);
 /// regardless of case, or else (paths of another machine) a file of that name in `folder` itself.
 std::optional<std::string> findFile(const std::string& folder, const std::string& name);
 
+/// The absolute path of the folder that `name`, as found in a file in `folder`, means, regardless of case.
+std::optional<std::string> findFolder(const std::string& folder, const std::string& name);
+
 /// Where `name` would be if it existed: what a missing file is called in messages and stored as.
 std::string expectedPath(const std::string& folder, const std::string& name);
 

@@ -21,6 +21,16 @@ const Result<ImportedModel>& AssetCache::model(const MeshSource& source) {
     return model;
 }
 
+const Result<ImportedAnimation>& AssetCache::animation(const std::string& file, const Object& object) {
+    const auto key = std::pair(file, object.mesh.get());
+    if (const auto found = animations_.find(key); found != animations_.end())
+        return found->second;
+    auto animation = object.mesh->skeleton
+                         ? importAnimation(file, *object.mesh->skeleton, object.source, progress_)
+                         : failure("It was left out: the model that it is for has no bones.", file);
+    return animations_.emplace(key, std::move(animation)).first->second;
+}
+
 MeshPtr AssetCache::primitive(PrimitiveType type, double size) {
     auto& mesh = primitives_[{type, size}];
     if (!mesh)

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 namespace prizma {
 namespace {
@@ -172,6 +173,7 @@ class Reader {
         if (auto done = checkMaterials(json, path); !done)
             return done;
         const ImportedModel* model = loadMesh(object);
+        loadClips(object);
         object.dynamic = object.mesh && object.mesh->isSkinned();
         Keys known{"model", "primitive", "size", "upAxis", "unitScale", "clips", "material", "materials"};
         auto item = readItem(std::move(object), &Scene::objects, EntityKind::Object, json, path, known);
@@ -217,11 +219,19 @@ class Reader {
         return number;
     }
 
+    /// What is up in a model if the project does not say: for SMD and QC what is usual, Y for all others.
+    UpAxis usualAxis(const Json& json) const {
+        const auto model = json.find("model");
+        if (model == json.end() || !model->is_string() || !isValveFormat(model->get<std::string>()))
+            return UpAxis::Y;
+        return usualUpAxis(resolve(model->get<std::string>()));
+    }
+
     Result<void> readSource(const Json& json, const std::string& path, Object& object) const {
         if (json.contains("model") == json.contains("primitive"))
             return error("An object needs either a \"model\" or a \"primitive\".", path);
         const auto primitive = readChoice(json, path, "primitive", object.source.primitive);
-        const auto upAxis = readChoice(json, path, "upAxis", object.source.upAxis);
+        const auto upAxis = readChoice(json, path, "upAxis", usualAxis(json));
         const auto size = readPositive(json, path, "size");
         const auto unitScale = readPositive(json, path, "unitScale");
         if (!primitive)
@@ -257,9 +267,30 @@ class Reader {
             return error("\"clips\" must be a list of paths in quotes.", path + "/clips");
         for (const Json& clip : *clips)
             object.clipFiles.push_back(resolve(clip.get<std::string>()));
-        if (!object.clipFiles.empty())
-            warn("Animation files are not supported yet; they stay in the project.", path + "/clips");
         return {};
+    }
+
+    /// Animations that are missing or do not suit the model stay in the project's list.
+    void loadClips(Object& object) {
+        if (object.clipFiles.empty() || !object.mesh)
+            return;
+        const auto warnOf = [this](Diagnostic fault) {
+            fault.severity = Severity::Warning;
+            project_.warnings.push_back(std::move(fault));
+        };
+        const std::string chosen = object.clip;
+        for (const std::string& file : std::exchange(object.clipFiles, {})) {
+            const auto& animation = assets_.animation(file, object);
+            if (!animation) {
+                warnOf(animation.error());
+                object.clipFiles.push_back(file);
+                continue;
+            }
+            if (reported_.insert(file).second)
+                std::ranges::for_each(animation->warnings, warnOf);
+            addAnimation(object, *animation);
+        }
+        object.clip = chosen; // which one plays is for the project to say
     }
 
     /// The model, or null for a primitive and for a model that could not be loaded.

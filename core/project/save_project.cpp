@@ -1,5 +1,6 @@
 #include "core/import/atomic_file.h"
 #include "core/import/file_finder.h"
+#include "core/import/model_importer.h"
 #include "core/project/project_file.h"
 #include "core/project/property_json.h"
 #include "core/project/unknown_keys.h"
@@ -88,7 +89,7 @@ class Writer {
             json["size"] = toJson(source.size, folder_);
         } else {
             json["model"] = relativePath(source.file, folder_);
-            if (source.upAxis != UpAxis::Y)
+            if (source.upAxis != UpAxis::Y || isValveFormat(source.file)) // whose usual axis is another
                 json["upAxis"] = choicesOf<UpAxis>()[static_cast<std::size_t>(source.upAxis)].key;
             if (source.unitScale != 1.0)
                 json["unitScale"] = toJson(source.unitScale, folder_);

@@ -5,6 +5,7 @@
 #include "core/render/instance_store.h"
 #include "core/render/kernel_set.h"
 #include "core/render/material_store.h"
+#include "core/render/mesh_poser.h"
 #include "core/render/render_plan.h"
 #include "core/render/tree_refitter.h"
 
@@ -33,21 +34,22 @@ class DeviceScene {
     /// the object is not posed on the device.
     Result<std::vector<glm::vec3>> posedPositions(Id object) const;
 
+    /// Any object's vertices as they are on the device, in object space. Waits for it.
+    Result<ObjectVertices> vertices(Id object) const;
+
     const InstanceStore& instances() const { return instances_; }
     const MaterialStore& materials() const { return materials_; }
 
   private:
     Result<void> uploadGeometry(const PlannedStage& stage, const Scene& scene, TreeStore& trees,
                                 DeviceState& state);
-    Result<void> pose(const PlannedStage& stage, const Scene& scene, DeviceState& state);
-    Result<void> shadeVertices(const PlannedStage& stage);
 
     Context& context_;
     KernelSet& kernels_;
     GeometryStore geometry_;
     MaterialStore materials_;
     InstanceStore instances_;
-    std::map<Id, Buffer<float>> bones_; ///< Skinning matrices of the posed objects, 3x4 row by row.
+    MeshPoser poser_;
     TreeRefitter refitter_;
 };
 

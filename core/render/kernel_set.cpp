@@ -43,7 +43,8 @@ Result<KernelSet> KernelSet::create(Context& context, TreeLayout layout, std::fu
     load("generate_camera_rays.cl", {{&set.generateCameraRays, "generateCameraRays"}});
     load("trace.cl", {{&set.traceClosest, "traceClosest"},
                       {&set.traceAny, "traceAny"},
-                      {&set.tracePacket, "tracePacket"}});
+                      {&set.tracePacket, "tracePacket"},
+                      {&set.traceAnyPacket, "traceAnyPacket"}});
     load("display.cl", {{&set.toneMap, "toneMap"}, {&set.meanRadiance, "meanRadiance"}});
     if (!ok)
         return std::unexpected(ok.error());

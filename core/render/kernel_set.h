@@ -18,7 +18,7 @@ class KernelSet {
     static Result<KernelSet> create(Context& context, TreeLayout layout, std::function<void()> building = {});
 
     Kernel vertexShader, triangleShader, refitTreeShader, refitSmallLevels, gatherRoots;
-    Kernel generateCameraRays, traceClosest, traceAny, tracePacket;
+    Kernel generateCameraRays, traceClosest, traceAny, tracePacket, traceAnyPacket;
     Kernel toneMap, meanRadiance;
 
     /// The RayShader kernel for `type`, built on first use.

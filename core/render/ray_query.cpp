@@ -3,6 +3,23 @@
 #include "core/render/renderer.h"
 
 namespace prizma {
+namespace {
+
+Kernel& kernelOf(KernelSet& kernels, RayQueryMode mode) {
+    switch (mode) {
+    case RayQueryMode::Closest:
+        return kernels.traceClosest;
+    case RayQueryMode::ClosestPacket:
+        return kernels.tracePacket;
+    case RayQueryMode::Any:
+        return kernels.traceAny;
+    case RayQueryMode::AnyPacket:
+        break;
+    }
+    return kernels.traceAnyPacket;
+}
+
+} // namespace
 
 struct RayQuery::State {
     std::unique_ptr<Renderer> renderer;
@@ -53,11 +70,9 @@ Result<void> RayQuery::setRays(std::span<const DeviceRay> rays) {
 Result<double> RayQuery::trace(RayQueryMode mode) {
     Context& context = state_->renderer->context();
     KernelSet& kernels = state_->renderer->kernels();
-    Kernel& kernel = mode == RayQueryMode::Any       ? kernels.traceAny
-                     : mode == RayQueryMode::Closest ? kernels.traceClosest
-                                                     : kernels.tracePacket;
+    Kernel& kernel = kernelOf(kernels, mode);
     const auto count = static_cast<std::uint32_t>(state_->rayCount);
-    const bool packets = mode == RayQueryMode::ClosestPacket;
+    const bool packets = mode == RayQueryMode::ClosestPacket || mode == RayQueryMode::AnyPacket;
     const std::size_t items = packets ? (count + kernels.raysAPacket - 1) / kernels.raysAPacket : count;
     state_->renderer->deviceScene().setSceneArguments(kernel);
     kernel.addArgument(state_->rays);

@@ -16,7 +16,12 @@ enum class RayQueryMode {
     Closest,       ///< One ray a work item.
     ClosestPacket, ///< Sixteen rays a work item, for coherent rays; the same hits.
     Any,           ///< Occlusion: only `Hit::t` counts, below infinity if something is in the way.
+    AnyPacket,     ///< Occlusion, sixteen rays a work item.
 };
+
+constexpr bool isOcclusion(RayQueryMode mode) {
+    return mode == RayQueryMode::Any || mode == RayQueryMode::AnyPacket;
+}
 
 /// The tracing kernels by themselves: any rays against a scene, for tests, benchmarks and picking.
 /// Rays and hits are in world space relative to `origin()`; Hit::instance is the index of the object among

@@ -61,9 +61,9 @@ class Encoder {
         std::unique_ptr<Encoder> encoder(new Encoder(ends[0], std::move(complaints)));
         const Descriptor input(ends[1]);
         if (const int error = encoder->spawn(arguments, input.get()); error != 0)
-            return failure(error == ENOENT
-                               ? missingProgram()
-                               : std::string("ffmpeg could not be started: ") + std::strerror(error) + ".");
+            return error == ENOENT
+                       ? std::unexpected(missingVideoEncoder())
+                       : failure(std::string("ffmpeg could not be started: ") + std::strerror(error) + ".");
         return encoder;
     }
 
@@ -94,11 +94,6 @@ class Encoder {
         if (WIFEXITED(status) && WEXITSTATUS(status) == 0)
             return {};
         return failure("ffmpeg could not make the video: " + complaint());
-    }
-
-    static std::string missingProgram() {
-        return "ffmpeg, which makes the videos, is not installed. Install it (on Debian: sudo apt install "
-               "ffmpeg) and try again; finished pictures need not be rendered again.";
     }
 
   private:
@@ -187,6 +182,15 @@ bool isVideoEncoderInstalled() {
     return false;
 }
 
+Diagnostic missingVideoEncoder() {
+    return {Severity::Error,
+            "ffmpeg, which makes the videos, is not installed. Install it (on Debian: sudo apt install "
+            "ffmpeg) and "
+            "try again; finished pictures need not be rendered again.",
+            {},
+            0};
+}
+
 std::string findFault(const VideoOptions& options) {
     const std::string extension = lowerExtension(options.output);
     if (extension != "mp4" && extension != "webm")
@@ -205,7 +209,7 @@ Result<void> encodeVideo(const VideoOptions& options, Progress& progress) {
     if (const std::string fault = findFault(options); !fault.empty())
         return failure("The video cannot be made: " + fault + ".", options.output);
     if (!isVideoEncoderInstalled())
-        return failure(Encoder::missingProgram());
+        return std::unexpected(missingVideoEncoder());
     const auto made =
         replaceFile(std::filesystem::absolute(options.output).string(),
                     [&](const std::string& temporary) { return encodeTo(temporary, options, progress); });

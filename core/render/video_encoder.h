@@ -17,6 +17,9 @@ struct VideoOptions {
 /// Whether the program ffmpeg is installed: it makes the videos.
 bool isVideoEncoderInstalled();
 
+/// What to say if it is not.
+Diagnostic missingVideoEncoder();
+
 /// Why these options make no video, or an empty string.
 std::string findFault(const VideoOptions& options);
 

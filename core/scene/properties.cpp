@@ -1,5 +1,6 @@
 #include "core/scene/properties.h"
 
+#include "core/animation/pose_key.h"
 #include "core/scene/property_tables.h"
 
 #include <algorithm>
@@ -226,6 +227,16 @@ std::optional<PropertyValue> parseValue(PropertyKind kind, std::string_view text
     }
 }
 
+Result<void> checkClipName(const Object& object, const std::string& name) {
+    if (name.empty() || findClip(object, name))
+        return {};
+    std::string all;
+    for (const ClipPtr& clip : object.clips)
+        all += (all.empty() ? "" : ", ") + clip->name;
+    return failure("\"" + object.name + "\" has no clip \"" + name + "\"" +
+                   (all.empty() ? ", nor any other" : ", but: " + all));
+}
+
 template <class T>
 std::optional<EntityRef> findNamed(const CowList<T>& list, EntityKind kind, std::string_view name) {
     for (const T& item : list)
@@ -313,6 +324,10 @@ Result<void> setProperty(Scene& scene, EntityRef entity, std::string_view key, c
     return result;
 }
 
+bool namesClip(std::string_view key) {
+    return key == "clip" || key == "fadeFrom";
+}
+
 std::string displayName(const Scene& scene, EntityRef entity) {
     std::string name;
     visitEntity(scene, entity, [&]<class Owner>(const Owner& owner) {
@@ -352,6 +367,9 @@ Result<void> applyAssignment(Scene& scene, std::string_view assignment) {
         if (!value)
             return failure("\"" + std::string(assignment.substr(equals + 1)) + "\" is no value for \"" +
                            std::string(key) + "\"");
+        if (entity->kind == EntityKind::Object && namesClip(key))
+            if (auto ok = checkClipName(*scene.findObject(entity->id), std::get<std::string>(*value)); !ok)
+                return ok;
         return setProperty(scene, *entity, key, *value);
     }
     return failure("there is no property \"" + std::string(key) + "\"");

@@ -87,6 +87,10 @@ std::vector<PropertyInfo> properties(const Scene& scene, EntityRef entity);
 Result<PropertyValue> getProperty(const Scene& scene, EntityRef entity, std::string_view key);
 Result<void> setProperty(Scene& scene, EntityRef entity, std::string_view key, const PropertyValue& value);
 
+/// Whether a property of objects, by its key, is the name of one of the object's own clips. Its kind is Text,
+/// as projects may name clips that could not be loaded; --set and panels offer what there is.
+bool namesClip(std::string_view key);
+
 /// The name of an object, light or material; "Camera", "Background", ... for the rest.
 std::string displayName(const Scene& scene, EntityRef entity);
 

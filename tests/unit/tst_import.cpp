@@ -171,7 +171,9 @@ class TestImport : public QObject {
                                 << "no triangles";
         QTest::newRow("bad index") << "i.obj" << QByteArray("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 9\n") << "";
         QTest::newRow("picture") << "p.png" << QByteArray("x") << "picture";
-        QTest::newRow("smd") << "m.smd" << QByteArray("version 1\n") << "not supported yet";
+        QTest::newRow("smd") << "m.smd" << QByteArray("version 1\n") << "no block of nodes";
+        QTest::newRow("flexes") << "m.vta" << QByteArray("version 1\n") << "import the SMD";
+        QTest::newRow("md5 animation") << "m.md5anim" << QByteArray("x") << "Import Animation";
         QTest::newRow("unknown") << "m.xyz" << QByteArray("x") << "xyz";
         QTest::newRow("glb") << "m.glb" << QByteArray("glTF\x02\x00\x00\x00", 8) << "";
     }

@@ -258,6 +258,39 @@ class TestProjectFile : public QObject {
         QCOMPARE(object["translation"].toArray()[2].toDouble(), 3.0);
     }
 
+    void clipsAreLoaded() {
+        QVERIFY(QDir(folder_.path()).mkpath("anims/other"));
+        const auto copy = [&](const char* from, const char* to) {
+            QFile::remove(folder_.filePath(to));
+            return QFile::copy(QStringLiteral(PRIZMA_TEST_DATA "/smd/") + from, folder_.filePath(to));
+        };
+        QVERIFY(copy("arm.smd", "arm.smd") && copy("wave.smd", "anims/wave.smd") &&
+                copy("wave.smd", "anims/other/wave.smd"));
+        const auto project = loadText(R"({"prizma": 1, "objects": [{"name": "a", "model": "arm.smd",
+            "clips": ["anims/wave.smd", "gone.smd", "anims/other/wave.smd"], "clip": "wave 2"}]})");
+        QVERIFY(project);
+        const Object& object = project->scene.objects[0];
+        QVERIFY(object.source.upAxis == UpAxis::Z); // as SMDs are, if the project does not say
+        QVERIFY(object.dynamic);
+        QCOMPARE(object.clip, std::string("wave 2"));
+        QCOMPARE(object.clips.size(), std::size_t(2));
+        QCOMPARE(object.clips[0]->name, std::string("wave"));
+        QCOMPARE(object.clips[1]->name, std::string("wave 2"));
+        const auto gone = std::ranges::find_if(
+            project->warnings, [](const Diagnostic& warning) { return warning.file.ends_with("/gone.smd"); });
+        QVERIFY(gone != project->warnings.end());
+        QVERIFY(gone->severity == Severity::Warning);
+        QVERIFY(saveProject(path("again.prizma"), project->scene, project->unknownKeys));
+        const auto json =
+            QJsonDocument::fromJson(read(path("again.prizma"))).object()["objects"].toArray()[0].toObject();
+        QCOMPARE(json["clips"].toArray(), (QJsonArray{"anims/wave.smd", "gone.smd", "anims/other/wave.smd"}));
+        QCOMPARE(json["upAxis"].toString(), QString("z"));
+        const auto again = load(path("again.prizma"));
+        QVERIFY(again);
+        QCOMPARE(again->scene.objects[0].clips.size(), std::size_t(2));
+        QCOMPARE(again->scene.objects[0].clip, std::string("wave 2"));
+    }
+
     void pathsFollowTheProject() {
         Scene scene;
         Material material;

@@ -19,10 +19,6 @@ namespace prizma {
 namespace {
 
 /// Names of clips are texts in the tables, but only the object's own clips make sense.
-bool namesClip(const std::string& key) {
-    return key == "clip" || key == "fadeFrom";
-}
-
 std::vector<ShownChoice> clipChoices(const Object& object) {
     std::vector<ShownChoice> choices{{"", PropertyEditor::tr("Bind pose")}};
     for (const ClipPtr& clip : object.clips)

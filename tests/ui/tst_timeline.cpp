@@ -2,6 +2,7 @@
 // playing, and the picture follows.
 #include "tests/ui/ui_test_support.h"
 
+#include "core/animation/pose_key.h"
 #include "core/compute/device.h"
 #include "ui/timeline/clip_list.h"
 #include "ui/timeline/ruler_scale.h"
@@ -65,6 +66,7 @@ class TestTimeline : public QObject {
     void anotherSceneStopsPlaying();
     void rulerZoomsAndShowsAllAgain();
     void bonesTellTheirNames();
+    void robotWalks();
 
     void controllerKeepsRealTime();
     void controllerStopsOnWholeFrames();
@@ -436,6 +438,50 @@ void TestTimeline::bonesTellTheirNames() {
                 *overlay->placeOf(QStringLiteral("root")) != root);
     trigger(*window_, QStringLiteral("View/Skeletons"));
     QVERIFY(!overlay->isVisible());
+}
+
+/// The whole way of somebody with a model of many sequences: import it, point at one, choose it, play.
+void TestTimeline::robotWalks() {
+    const QString folder = qEnvironmentVariable("PRIZMA_ASSETS");
+    const QString file = folder + QStringLiteral("/smd/robot/robot.qc");
+    if (folder.isEmpty() || !QFile::exists(file))
+        QSKIP("PRIZMA_ASSETS has no smd/robot.");
+    window_->importFile(file);
+    QTRY_COMPARE_WITH_TIMEOUT(scene().objects.size(), 3U, 20000);
+    window_->viewport().frameSelected();
+    const auto rows = clips().findItems(QStringLiteral("Walking"), Qt::MatchExactly);
+    QCOMPARE(rows.size(), 1);
+    clips().scrollToItem(rows.front());
+    const QPoint place = clips().visualItemRect(rows.front()).center();
+    moveMouse(*clips().viewport(), place);
+    QTRY_VERIFY(viewport().lastFrame()->scene.objects.size() == 3 &&
+                viewport().lastFrame()->scene.objects[2].clip == "Walking");
+    QCOMPARE(scene().objects[2].clip, std::string());
+    QTest::mouseClick(clips().viewport(), Qt::LeftButton, {}, place);
+    QTest::mouseDClick(clips().viewport(), Qt::LeftButton, {}, place);
+    QCOMPARE(scene().objects[2].clip, std::string("Walking"));
+    const ClipPtr walking = findClip(scene().objects[2], "Walking");
+    QVERIFY(walking);
+    QCOMPARE(scene().timeline.fps, walking->fps);
+    QVERIFY(scene().timeline.end > 0 && scene().timeline.end < walking->frameCount);
+
+    // Each frame is another picture, and the same frame the same one, whatever was shown in between.
+    std::vector<FramePtr> pictures;
+    for (const int number : {0, 5, 10, 0}) {
+        controller().goTo(number);
+        pictures.push_back(settledFrame());
+        QVERIFY(pictures.back());
+    }
+    QVERIFY(pictures[0]->pixels != pictures[1]->pixels && pictures[1]->pixels != pictures[2]->pixels);
+    QCOMPARE(pictures[3]->pixels, pictures[0]->pixels);
+    controller().play();
+    std::set<double> shown;
+    const auto watch = [&] {
+        shown.insert(viewport().lastFrame()->scene.timeline.frame);
+        return shown.size() >= 10;
+    };
+    QVERIFY(QTest::qWaitFor(watch, 20000));
+    controller().pause();
 }
 
 void TestTimeline::controllerKeepsRealTime() {

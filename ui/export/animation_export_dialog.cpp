@@ -208,7 +208,8 @@ void AnimationExportDialog::check() {
         note_->setText(
             tr("%1 of %2 frames are there already and stay as they are.").arg(finished).arg(count));
     else
-        note_->setText(tr("%n frame(s) will be rendered.", nullptr, count));
+        note_->setText(count == 1 ? tr("One frame will be rendered.")
+                                  : tr("%n frames will be rendered.", nullptr, count));
 }
 
 AnimationExport AnimationExportDialog::animation() const {

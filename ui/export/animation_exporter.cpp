@@ -58,7 +58,7 @@ void AnimationExporter::deliver(const Result<SequenceSummary>& summary) {
         return;
     }
     const int count = summary->rendered + summary->skipped;
-    QString text = tr("Exported %n frame(s).", nullptr, count);
+    QString text = count == 1 ? tr("Exported one frame.") : tr("Exported %n frames.", nullptr, count);
     if (summary->skipped > 0)
         text += QLatin1Char(' ') + tr("%n of them had been rendered before.", nullptr, summary->skipped);
     Q_EMIT message({Severity::Information, toStdString(text), animation_.output, 0});

@@ -66,9 +66,11 @@ QString ExportProgressDialog::timeLeft(double fraction) {
     if (done <= 0.0)
         return tr("Starting…");
     const double seconds = static_cast<double>(clock_.elapsed()) / 1000.0 * (1.0 - fraction) / done;
-    if (seconds < 90.0)
-        return tr("About %n second(s) left", nullptr, std::max(static_cast<int>(std::lround(seconds)), 1));
-    return tr("About %n minute(s) left", nullptr, static_cast<int>(std::lround(seconds / 60.0)));
+    if (seconds < 1.5)
+        return tr("About a second left");
+    if (seconds < 100.0)
+        return tr("About %n seconds left", nullptr, static_cast<int>(std::lround(seconds)));
+    return tr("About %n minutes left", nullptr, static_cast<int>(std::lround(seconds / 60.0)));
 }
 
 } // namespace prizma

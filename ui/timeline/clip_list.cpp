@@ -59,6 +59,7 @@ ClipList::ClipList(Document& document, const TimelineController& controller, Cli
     list_->headerItem()->setTextAlignment(FramesColumn, Qt::AlignRight | Qt::AlignVCenter);
     list_->headerItem()->setTextAlignment(RateColumn, Qt::AlignRight | Qt::AlignVCenter);
     list_->header()->setStretchLastSection(false);
+    list_->header()->setTextElideMode(Qt::ElideRight);
     list_->header()->setSectionResizeMode(NameColumn, QHeaderView::Stretch);
     list_->header()->setSectionResizeMode(FramesColumn, QHeaderView::ResizeToContents);
     list_->header()->setSectionResizeMode(RateColumn, QHeaderView::ResizeToContents);

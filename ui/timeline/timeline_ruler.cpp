@@ -240,8 +240,10 @@ void TimelineRuler::paintPlayhead(QPainter& painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(theme::accent(), 1.0));
     painter.drawLine(QPointF(x, badge.bottom()), QPointF(x, height()));
-    painter.setPen(Qt::NoPen);
+    painter.setPen(QPen(palette().color(QPalette::Base), 4.0)); // keeps off the number beside it
     painter.setBrush(theme::accent());
+    painter.drawRoundedRect(badge, 3.0, 3.0);
+    painter.setPen(Qt::NoPen);
     painter.drawRoundedRect(badge, 3.0, 3.0);
     painter.setPen(palette().color(QPalette::Base));
     painter.drawText(badge, Qt::AlignCenter, text);

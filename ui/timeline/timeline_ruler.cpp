@@ -181,13 +181,12 @@ void TimelineRuler::paintMarks(QPainter& painter) const {
     const int labelStep = scale_.markStep(widest + labelGap);
     const int tickStep = scale_.markStep(tickGap);
     const double bottom = bandHeight();
-    const auto firstMark = [this](int step) { return std::floor(scale_.first() / step) * step; };
     painter.setPen(palette().color(QPalette::Light));
-    for (double frame = firstMark(tickStep); frame <= scale_.last(); frame += tickStep) {
+    forEachMark(tickStep, [&](double frame) {
         const double x = crisp(xOf(frame));
         painter.drawLine(QPointF(x, bottom - shortTick), QPointF(x, bottom));
-    }
-    for (double frame = firstMark(labelStep); frame <= scale_.last() + labelStep; frame += labelStep) {
+    });
+    forEachMark(labelStep, [&](double frame) {
         const double x = crisp(xOf(frame));
         painter.setPen(palette().color(QPalette::Button));
         painter.drawLine(QPointF(x, bottom), QPointF(x, height()));
@@ -195,7 +194,14 @@ void TimelineRuler::paintMarks(QPainter& painter) const {
         painter.drawLine(QPointF(x, bottom - longTick), QPointF(x, bottom));
         painter.drawText(QRectF(x - widest, 2.0, 2.0 * widest, metrics.height()), Qt::AlignCenter,
                          QString::number(frame, 'f', 0));
-    }
+    });
+}
+
+/// From the one before the left edge to the one behind the right edge, whose numbers reach into view.
+void TimelineRuler::forEachMark(int step, const std::function<void(double)>& draw) const {
+    const auto last = static_cast<long long>(std::ceil(scale_.last() / step));
+    for (auto i = static_cast<long long>(std::floor(scale_.first() / step)); i <= last; ++i)
+        draw(static_cast<double>(i) * step);
 }
 
 /// A bar for each time that the clip plays.
@@ -203,31 +209,42 @@ void TimelineRuler::paintClip(QPainter& painter) const {
     const auto span = playingSpan(document_);
     if (!span)
         return;
-    const double first = span->repeats ? std::floor((scale_.first() - span->start) / span->frames) : 0.0;
-    const double last = span->repeats ? std::floor((scale_.last() - span->start) / span->frames) : 0.0;
+    if (!span->repeats) {
+        paintBar(painter, span->start, span->start + span->frames, span->name);
+        return;
+    }
+    const double first = std::floor((scale_.first() - span->start) / span->frames);
+    const double last = std::floor((scale_.last() - span->start) / span->frames);
+    if (span->frames * scale_.pixelsPerFrame() < shortestBar) {
+        paintBar(painter, span->start + first * span->frames, span->start + (last + 1.0) * span->frames,
+                 span->name);
+        return;
+    }
+    for (auto i = static_cast<long long>(first); i <= static_cast<long long>(last); ++i) {
+        const double start = span->start + static_cast<double>(i) * span->frames;
+        paintBar(painter, start, start + span->frames, span->name);
+    }
+}
+
+void TimelineRuler::paintBar(QPainter& painter, double start, double end, const QString& name) const {
     const double top = bandHeight() + 4.0;
     const double size = std::min(height() - top - 4.0, fontMetrics().height() + 6.0);
     if (size < 4.0)
         return;
     QColor fill = theme::accent();
     fill.setAlpha(56);
+    const double left = std::max(xOf(start), -10.0);
+    const QRectF bar(left + 0.5, top, std::min(xOf(end), width() + 10.0) - left - 1.0, size);
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool readable = span->frames * scale_.pixelsPerFrame() >= shortestBar;
-    for (double i = first; i <= last; i += readable ? 1.0 : last - first + 1.0) {
-        const double start = span->start + i * span->frames;
-        const double end = readable ? start + span->frames : span->start + (last + 1.0) * span->frames;
-        const double left = std::max(xOf(start), -10.0);
-        const QRectF bar(left + 0.5, top, std::min(xOf(end), width() + 10.0) - left - 1.0, size);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(fill);
-        painter.drawRoundedRect(bar, 3.0, 3.0);
-        painter.setPen(palette().color(QPalette::Text));
-        const QRectF inner = bar.intersected(rect()).adjusted(6.0, 0.0, -6.0, 0.0);
-        painter.drawText(inner, Qt::AlignVCenter | Qt::AlignLeft,
-                         fontMetrics().elidedText(span->name, Qt::ElideRight,
-                                                  std::max(static_cast<int>(inner.width()), 0)));
-    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(fill);
+    painter.drawRoundedRect(bar, 3.0, 3.0);
     painter.setRenderHint(QPainter::Antialiasing, false);
+    const QRectF inner = bar.intersected(rect()).adjusted(6.0, 0.0, -6.0, 0.0);
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawText(
+        inner, Qt::AlignVCenter | Qt::AlignLeft,
+        fontMetrics().elidedText(name, Qt::ElideRight, std::max(static_cast<int>(inner.width()), 0)));
 }
 
 void TimelineRuler::paintPlayhead(QPainter& painter) const {

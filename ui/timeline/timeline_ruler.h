@@ -4,6 +4,8 @@
 
 #include <QWidget>
 
+#include <functional>
+
 namespace prizma {
 
 class Document;
@@ -42,7 +44,9 @@ class TimelineRuler : public QWidget {
     void endDrag();
     double bandHeight() const;
     void paintRange(QPainter& painter) const;
+    void forEachMark(int step, const std::function<void(double)>& draw) const;
     void paintClip(QPainter& painter) const;
+    void paintBar(QPainter& painter, double start, double end, const QString& name) const;
     void paintMarks(QPainter& painter) const;
     void paintPlayhead(QPainter& painter) const;
 

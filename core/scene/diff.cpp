@@ -76,6 +76,12 @@ bool SceneDiff::isEmpty() const {
     return *this == SceneDiff{};
 }
 
+bool SceneDiff::isTimeOnly() const {
+    SceneDiff rest = *this;
+    rest.time = false;
+    return time && rest.isEmpty();
+}
+
 SceneDiff diff(const Scene& before, const Scene& after) {
     SceneDiff changes;
     diffObjects(before.objects, after.objects, changes);

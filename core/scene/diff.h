@@ -26,6 +26,7 @@ struct SceneDiff {
     bool exposure = false;
 
     bool isEmpty() const;
+    bool isTimeOnly() const; ///< The time changed and nothing else, as while playing.
 
     friend bool operator==(const SceneDiff&, const SceneDiff&) = default;
 };

@@ -75,7 +75,12 @@ PropertyEditor::PropertyEditor(Document& document, QWidget* parent)
     layout->addWidget(area);
 
     connect(&document_, &Document::selectionChanged, this, &PropertyEditor::refresh);
-    connect(&document_, &Document::sceneChanged, this, &PropertyEditor::refresh);
+    connect(&document_, &Document::sceneChanged, this, [this](const SceneDiff& changes) {
+        // While playing, only the timeline's own properties have anything new to show.
+        const bool showsTimeline = !entities_.empty() && entities_.back().kind == EntityKind::Timeline;
+        if (!changes.isTimeOnly() || showsTimeline)
+            refresh();
+    });
     refresh();
 }
 

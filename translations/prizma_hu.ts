@@ -1584,6 +1584,78 @@ sudo apt install pocl-opencl-icd</translation>
             <translation>A lejátszott mozgás; üresen az alapállás.</translation>
         </message>
         <message>
+            <source>As the clip says</source>
+            <translation>Ahogy a mozgás előírja</translation>
+        </message>
+        <message>
+            <source>Loop</source>
+            <translation>Ismétlés</translation>
+        </message>
+        <message>
+            <source>Once</source>
+            <translation>Egyszer</translation>
+        </message>
+        <message>
+            <source>Back and forth</source>
+            <translation>Oda-vissza</translation>
+        </message>
+        <message>
+            <source>Clip offset</source>
+            <translation>Mozgás eltolása</translation>
+        </message>
+        <message>
+            <source>How far into the clip the timeline's beginning is.</source>
+            <translation>Hol tart a mozgás, amikor az idővonal az elején áll.</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Sebesség</translation>
+        </message>
+        <message>
+            <source>1 is the clip's own speed, 0 stands still, below 0 runs backwards.</source>
+            <translation>1 a mozgás saját sebessége, 0 áll, 0 alatt visszafelé halad.</translation>
+        </message>
+        <message>
+            <source>What the clip does after its end.</source>
+            <translation>Mi történik, amikor a mozgás a végére ér.</translation>
+        </message>
+        <message>
+            <source>Clip's frame rate</source>
+            <translation>A mozgás képsebessége</translation>
+        </message>
+        <message>
+            <source>Frames of the clip a second; 0 is the clip's own rate.</source>
+            <translation>A mozgás képkockái másodpercenként; 0: a mozgás sajátja.</translation>
+        </message>
+        <message>
+            <source>Fade</source>
+            <translation>Átmenet</translation>
+        </message>
+        <message>
+            <source>How long it takes to go over to the clip; 0 for no fade.</source>
+            <translation>Mennyi ideig tart az átmenet a mozgásba; 0: nincs átmenet.</translation>
+        </message>
+        <message>
+            <source>Fade starts</source>
+            <translation>Átmenet kezdete</translation>
+        </message>
+        <message>
+            <source>When on the timeline the fade begins.</source>
+            <translation>Mikor kezdődik az átmenet az idővonalon.</translation>
+        </message>
+        <message>
+            <source>Fade from</source>
+            <translation>Átmenet ebből</translation>
+        </message>
+        <message>
+            <source>The clip that plays before; empty for the bind pose.</source>
+            <translation>Az előtte lejátszott mozgás; üresen az alapállás.</translation>
+        </message>
+        <message>
+            <source>How far the shape is blended in; 1 is all of it.</source>
+            <translation>Mennyire érvényesül az alak; 1: teljesen.</translation>
+        </message>
+        <message>
             <source>What the light is called in the scene tree.</source>
             <translation>A fény neve a fában.</translation>
         </message>

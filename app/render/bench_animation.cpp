@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Arguments {
-    std::string file;
+    std::vector<std::string> files;
     bool json = false;
     int copies = 1;
     bench::AnimateBenchOptions animate;
@@ -54,11 +54,11 @@ Scene crowd(const Scene& scene, int copies, double aspect) {
 
 Scene sceneOf(const Arguments& arguments) {
     Scene scene;
-    if (arguments.file.empty()) {
+    if (arguments.files.empty()) {
         scene = bench::makeTentacleScene();
         presentModel(scene, aspectOf(arguments));
     } else {
-        auto loaded = loadScene(arguments.file, "y", aspectOf(arguments));
+        auto loaded = loadScene(arguments.files, {}, aspectOf(arguments));
         if (!loaded)
             fail(loaded.error());
         scene = std::move(*loaded);
@@ -139,8 +139,8 @@ void show(const Result<Report>& report, bool json) {
 }
 
 void addCommonOptions(CLI::App& command, const std::shared_ptr<Arguments>& arguments) {
-    command.add_option("file", arguments->file,
-                       "A project or a model; without: 100,000 triangles on 60 bones");
+    command.add_option("files", arguments->files,
+                       "A project, or a model and its animations; without: 100,000 triangles on 60 bones");
     command.add_flag("--json", arguments->json, "Print JSON for scripts");
     command
         .add_option("--copies", arguments->copies,

@@ -2,8 +2,10 @@
 #include "app/render/command.h"
 #include "app/render/load_scene.h"
 #include "core/bench/build_bench.h"
+#include "core/bench/growth_bench.h"
 #include "core/bench/procedural_scene.h"
 #include "core/bench/refit_bench.h"
+#include "core/bench/ruin_bench.h"
 #include "core/bench/trace_bench.h"
 
 #include <fmt/format.h>
@@ -20,15 +22,20 @@ struct Arguments {
     std::string file;
     bool json = false;
     bool instanced = false;
+    std::size_t triangles = bench::proceduralTriangles;
     std::string layout = "wide8";
     int repeats = 5;
+    bool ruin = false;
+    double distance = 2.0;
+    int parts = 200;
     bench::TraceBenchOptions trace;
 };
 
 Scene sceneOf(const Arguments& arguments) {
     if (arguments.file.empty())
         return bench::makeProceduralScene(arguments.instanced ? bench::ProceduralForm::Instances
-                                                              : bench::ProceduralForm::OneMesh);
+                                                              : bench::ProceduralForm::OneMesh,
+                                          arguments.triangles);
     auto scene = loadScene(arguments.file, {}, double(arguments.trace.width) / arguments.trace.height);
     if (!scene)
         fail(scene.error());
@@ -53,7 +60,10 @@ Json toJson(const bench::TraceReport& report) {
         }
         results.push_back(std::move(item));
     }
-    return {{"device", report.device}, {"triangles", report.triangles}, {"results", std::move(results)}};
+    return {{"device", report.device},
+            {"triangles", report.triangles},
+            {"deviceBytes", report.deviceBytes},
+            {"results", std::move(results)}};
 }
 
 Json toJson(const bench::BuildReport& report) {
@@ -83,6 +93,35 @@ Json toJson(const bench::RefitReport& report) {
         result["ratio"] = report.ratio;
     }
     return result;
+}
+
+Json toJson(const bench::RuinReport& report) {
+    Json steps = Json::array();
+    for (const bench::RuinStep& step : report.steps)
+        steps.push_back({{"flown", step.flown},
+                         {"wear", step.wear},
+                         {"refitted", {{"camera", step.refitted.camera}, {"diffuse", step.refitted.diffuse}}},
+                         {"rebuilt", {{"camera", step.rebuilt.camera}, {"diffuse", step.rebuilt.diffuse}}}});
+    const bench::RenewalTimes& renewal = report.renewal;
+    return {{"device", report.device},
+            {"triangles", report.triangles},
+            {"steps", std::move(steps)},
+            {"renewal",
+             {{"frame", renewal.frame},
+              {"start", renewal.start},
+              {"during", renewal.during},
+              {"swap", renewal.swap},
+              {"build", renewal.build}}}};
+}
+
+Json toJson(const bench::GrowthReport& report) {
+    Json sizes = Json::array();
+    for (const bench::GrowthRow& row : report.rows)
+        sizes.push_back({{"triangles", row.build.triangles},
+                         {"build", toJson(row.build)},
+                         {"refit", toJson(row.refit)},
+                         {"trace", toJson(row.trace)}});
+    return {{"device", report.device}, {"sizes", std::move(sizes)}};
 }
 
 void print(const bench::TraceReport& report) {
@@ -126,6 +165,46 @@ void print(const bench::RefitReport& report) {
                    *report.embreeRefit, report.ratio);
 }
 
+void print(const bench::RuinReport& report) {
+    fmt::print("{}, {} triangles in shards that fly apart; Mrays/s, medians\n", report.device,
+               report.triangles);
+    fmt::print("{:>6} {:>6} | camera: {:>8} {:>8} {:>6} | diffuse: {:>8} {:>8} {:>6}\n", "flown", "wear",
+               "refitted", "rebuilt", "share", "refitted", "rebuilt", "share");
+    for (const bench::RuinStep& step : report.steps)
+        fmt::print("{:>6.3f} {:>6.2f} | {:>16.2f} {:>8.2f} {:>6.2f} | {:>17.2f} {:>8.2f} {:>6.2f}\n",
+                   step.flown, step.wear, step.refitted.camera, step.rebuilt.camera,
+                   step.refitted.camera / step.rebuilt.camera, step.refitted.diffuse, step.rebuilt.diffuse,
+                   step.refitted.diffuse / step.rebuilt.diffuse);
+    const bench::RenewalTimes& renewal = report.renewal;
+    fmt::print("A new tree in the background: a usual frame's update {:.1f} ms, the one that starts the "
+               "build {:.1f}, the "
+               "slowest meanwhile {:.1f}, the swap {:.1f}; {:.0f} ms from start to swap\n",
+               renewal.frame, renewal.start, renewal.during, renewal.swap, renewal.build);
+}
+
+/// A time and, where Embree was measured, the ratio to its own.
+std::string withRatio(double milliseconds, double ratio) {
+    return ratio > 0.0 ? fmt::format("{:.2f} ({:.2f})", milliseconds, ratio)
+                       : fmt::format("{:.2f}", milliseconds);
+}
+
+void print(const bench::GrowthReport& report) {
+    fmt::print("{}; medians; in brackets ours over Embree's: times below 1 and rates above 1 are faster than "
+               "Embree\n",
+               report.device);
+    fmt::print("{:>10} {:>16} {:>16} {:>9} {:>9} {:>16} {:>16} {:>16}\n", "triangles", "build ms", "refit ms",
+               "tree B/t", "all B/t", "camera Mrays/s", "diffuse", "shadow");
+    for (const bench::GrowthRow& row : report.rows) {
+        fmt::print("{:>10} {:>16} {:>16} {:>9.1f} {:>9.1f}", row.build.triangles,
+                   withRatio(row.build.milliseconds, row.build.ratio),
+                   withRatio(row.refit.milliseconds, row.refit.ratio), row.build.bytesPerTriangle,
+                   static_cast<double>(row.trace.deviceBytes) / static_cast<double>(row.trace.triangles));
+        for (const bench::TraceResult& result : row.trace.results)
+            fmt::print(" {:>16}", withRatio(result.mraysPerSecond, result.ratio));
+        fmt::print("\n");
+    }
+}
+
 template <class Report>
 void show(const Result<Report>& report, bool json) {
     if (!report)
@@ -142,6 +221,9 @@ void addCommonOptions(CLI::App& command, Arguments& arguments) {
     command.add_flag("--json", arguments.json, "Print JSON for scripts");
     command.add_flag("--instanced", arguments.instanced,
                      "Without a file: ten objects that share four meshes, instead of one mesh");
+    command.add_option("--triangles", arguments.triangles, "Without a file: about how many the scene has")
+        ->check(CLI::Range(std::size_t{1000}, std::size_t{10000000}))
+        ->capture_default_str();
     command.add_option("--repeats", arguments.repeats, "Measurements of which the median counts")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
@@ -177,7 +259,24 @@ void addRefitCommand(CLI::App& bench) {
     command->add_option("--device", arguments->trace.deviceId, "OpenCL device, as \"devices\" lists it");
     command->add_option("--layout", arguments->layout, "The trees' layout; without: what suits the device")
         ->check(CLI::IsMember({"wide8", "binary2"}));
+    command->add_flag(
+        "--ruin", arguments->ruin,
+        "Instead: how fast rays are while parts fly apart, with the refitted tree and a new one");
+    command
+        ->add_option("--distance", arguments->distance,
+                     "With --ruin: how far they fly, in sizes of their object")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->capture_default_str();
+    command->add_option("--parts", arguments->parts, "With --ruin: of each object")
+        ->check(CLI::Range(1, 100000))
+        ->capture_default_str();
     command->callback([arguments] {
+        if (arguments->ruin) {
+            const bench::RuinBenchOptions ruin{arguments->trace.deviceId, arguments->parts,
+                                               arguments->distance, arguments->repeats};
+            show(bench::benchRuin(sceneOf(*arguments), ruin), arguments->json);
+            return;
+        }
         bench::RefitBenchOptions options;
         options.deviceId = arguments->trace.deviceId;
         options.repeats = arguments->repeats;
@@ -202,6 +301,22 @@ void addBuildCommand(CLI::App& bench) {
     });
 }
 
+void addGrowthCommand(CLI::App& bench) {
+    auto* command = bench.add_subcommand(
+        "growth", "How build, refit, memory and rays grow from 1,000 to 10,000,000 triangles; takes minutes");
+    const auto arguments = std::make_shared<Arguments>();
+    const auto options = std::make_shared<bench::GrowthBenchOptions>();
+    command->add_flag("--json", arguments->json, "Print JSON for scripts");
+    command->add_option("--device", options->deviceId, "OpenCL device, as \"devices\" lists it");
+    command->add_option("--most", options->mostTriangles, "Of the largest scene, at most")
+        ->check(CLI::Range(std::size_t{1000}, std::size_t{10000000}))
+        ->capture_default_str();
+    command->add_option("--repeats", options->repeats, "Measurements of which the median counts")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
+    command->callback([arguments, options] { show(bench::benchGrowth(*options), arguments->json); });
+}
+
 } // namespace
 
 void addBenchCommand(CLI::App& app) {
@@ -211,6 +326,7 @@ void addBenchCommand(CLI::App& app) {
     addBuildCommand(*command);
     addRefitCommand(*command);
     addAnimationBenches(*command);
+    addGrowthCommand(*command);
 }
 
 } // namespace prizma

@@ -1,5 +1,8 @@
 #include "core/bench/deforming_scene.h"
 
+#include "core/animation/pose.h"
+#include "core/render/render_plan.h"
+
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
@@ -141,7 +144,36 @@ Scene deformed(const Scene& scene, const Deform& deform) {
     return result;
 }
 
+MeshPtr frozenMesh(const Mesh& mesh, const std::vector<glm::mat4>& bones) {
+    auto result = std::make_shared<Mesh>(mesh);
+    result->skeleton = nullptr;
+    result->influences.clear();
+    result->firstInfluence.clear();
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        glm::dvec4 sum(0.0);
+        for (auto k = mesh.firstInfluence[i]; k < mesh.firstInfluence[i + 1]; ++k)
+            sum += static_cast<double>(mesh.influences[k].weight) *
+                   (glm::dmat4(bones[mesh.influences[k].bone]) * glm::dvec4(mesh.positions[i], 1.0));
+        result->positions[i] = glm::vec3(sum);
+    }
+    updateBounds(*result);
+    return result;
+}
+
 } // namespace
+
+Scene frozen(const Scene& scene) {
+    Scene result = scene;
+    for (Object& object : result.objects.edit()) {
+        if (!isPosed(object) || !object.mesh->isSkinned())
+            continue;
+        const Skeleton& skeleton = *object.mesh->skeleton;
+        const Pose pose = evaluatePose(skeleton, poseKeyOf(object, scene.timeline.seconds()));
+        object.mesh = frozenMesh(*object.mesh, skinningMatrices(skeleton, pose));
+        object.dynamic = false;
+    }
+    return result;
+}
 
 Scene makeBending(const Scene& scene) {
     return deformed(scene, [](Object& object) {

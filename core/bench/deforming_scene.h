@@ -16,4 +16,8 @@ inline constexpr int flightFrames = 64;
 /// `distance` times the object's size in the last frame: what ruins a tree that is only refitted.
 Scene makeFlyingApart(const Scene& scene, int parts, double distance);
 
+/// `scene` with every skinned Dynamic object replaced by a rigid one in the pose that it has at the
+/// timeline's time, as the host works it out.
+Scene frozen(const Scene& scene);
+
 } // namespace prizma::bench

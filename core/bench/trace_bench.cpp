@@ -167,6 +167,8 @@ Result<TraceResult> TraceBench::measureSet(const RaySet& set) {
 Result<TraceReport> TraceBench::run() {
     TraceReport report;
     report.device = query_.deviceName();
+    report.layout = query_.layout();
+    report.deviceBytes = query_.deviceBytes();
     const RaySet sets[] = {{"camera", sets_.camera, RayQueryMode::ClosestPacket},
                            {"diffuse", sets_.diffuse, RayQueryMode::Closest},
                            {"shadow", sets_.shadow, RayQueryMode::Any}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/bvh/device_layout.h"
 #include "core/diagnostic.h"
 #include "core/scene/scene.h"
 
@@ -41,7 +42,9 @@ struct TraceResult {
 
 struct TraceReport {
     std::string device;
-    std::size_t triangles = 0; ///< As instanced in the scene.
+    TreeLayout layout = TreeLayout::Wide8; ///< That the device was given.
+    std::size_t triangles = 0;             ///< As instanced in the scene.
+    std::uint64_t deviceBytes = 0;         ///< Of the scene on the device: trees, vertices, materials.
     std::vector<TraceResult> results;
 };
 

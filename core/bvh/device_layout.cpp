@@ -156,6 +156,14 @@ DeviceTree layOutBinary(const Bvh& bvh, const CollapsedTree& tree, const Mesh& m
 
 } // namespace
 
+std::size_t nodeCount(const DeviceTree& tree) {
+    return tree.layout == TreeLayout::Wide8 ? tree.wideNodes.size() : tree.binaryNodes.size();
+}
+
+std::size_t leafCount(const DeviceTree& tree) {
+    return tree.layout == TreeLayout::Wide8 ? tree.wideLeaves.size() : tree.binaryTriangles.size();
+}
+
 DeviceTree layOutBottomLevel(const Bvh& bvh, const Mesh& mesh, TreeLayout layout) {
     assert(std::all_of(bvh.nodes.begin(), bvh.nodes.end(),
                        [](auto& node) { return node.count <= wideLeafSize; }));

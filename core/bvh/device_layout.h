@@ -30,6 +30,11 @@ struct DeviceTree {
     std::vector<std::vector<std::uint32_t>> refitLevels;
 };
 
+std::size_t nodeCount(const DeviceTree& tree);
+
+/// Items of its leaf array: leaves in Wide8, triangles in Binary2.
+std::size_t leafCount(const DeviceTree& tree);
+
 /// Lays a tree over a mesh's triangles out for tracing; for Wide8 the binary nodes are collapsed to the
 /// eight-wide ones of least expected cost (Ylitie et al. 2017). `bvh` was built over `mesh`, with leaves of
 /// up to 8 triangles.

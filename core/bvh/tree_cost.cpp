@@ -21,25 +21,15 @@ void forEachChildBox(const BinaryNode& node, const Visit& visit) {
 template <class Node>
 double costOf(const std::vector<Node>& nodes) {
     double sum = 0.0;
-    DBounds whole;
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        forEachChildBox(nodes[i], [&](const DBounds& box) {
-            sum += box.halfArea();
-            if (i == 0)
-                whole.add(box);
-        });
-    return treeCost(sum, {whole.low, whole.high});
+    for (const Node& node : nodes)
+        forEachChildBox(node, [&sum](const DBounds& box) { sum += box.halfArea(); });
+    return sum;
 }
 
 } // namespace
 
 double treeCost(const DeviceTree& tree) {
     return tree.layout == TreeLayout::Wide8 ? costOf(tree.wideNodes) : costOf(tree.binaryNodes);
-}
-
-double treeCost(double areaSum, const Bounds& whole) {
-    const double area = DBounds{whole.low, whole.high}.halfArea();
-    return area > 0.0 ? areaSum / area : 0.0;
 }
 
 } // namespace prizma

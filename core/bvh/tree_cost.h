@@ -4,13 +4,10 @@
 
 namespace prizma {
 
-/// What a tree costs a ray: the half areas of all its boxes, relative to that of the whole tree's box. That
-/// is how many nodes and leaves a random ray that meets the tree visits, beside the root (MacDonald and Booth
-/// 1990). Refitting moves boxes about; by how much this grows says how worn a tree is. 0 for a tree without
-/// area.
+/// What a tree costs rays from anywhere: the half areas of all its boxes below the root, added up. The number
+/// of nodes and leaves that a random ray visits goes with it (MacDonald and Booth 1990). It is not taken
+/// relative to the whole tree's box, as SAH cost is: a part that flies away makes that box grow, which would
+/// hide what it does to the tree. By how much this grows under refitting says how worn a tree is.
 double treeCost(const DeviceTree& tree);
-
-/// The same from the sum of the half areas. Not finite where the numbers overflow.
-double treeCost(double areaSum, const Bounds& whole);
 
 } // namespace prizma

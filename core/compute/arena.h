@@ -52,6 +52,11 @@ class Arena {
         return first;
     }
 
+    /// Copies `items` to a place that was allocated.
+    Result<void> write(Context& context, std::span<const T> items, std::uint32_t first) {
+        return buffer_.write(context, items, first, what_);
+    }
+
     /// Gives `count` items at `first` back; they were allocated together.
     void release(std::uint32_t first, std::size_t count) {
         if (count == 0)

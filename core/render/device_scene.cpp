@@ -1,5 +1,7 @@
 #include "core/render/device_scene.h"
 
+#include <algorithm>
+
 namespace prizma {
 
 Result<void> DeviceScene::run(const PlannedStage& stage, const Scene& scene, const glm::dvec3& anchor,
@@ -13,6 +15,8 @@ Result<void> DeviceScene::run(const PlannedStage& stage, const Scene& scene, con
         return materials_.updateMaterials(context_, scene);
     case Stage::Lights:
         return materials_.updateLights(context_, scene, anchor);
+    case Stage::NewTrees:
+        return replaceTrees(stage, trees, state);
     case Stage::Poses:
         return poser_.pose(context_, scene, stage.objects, state.poses);
     case Stage::VertexShader:
@@ -20,12 +24,43 @@ Result<void> DeviceScene::run(const PlannedStage& stage, const Scene& scene, con
     case Stage::TriangleShader:
         return refitter_.shadeTriangles(context_, kernels_, geometry_, stage.objects);
     case Stage::RefitTreeShader:
-        return refitter_.refit(context_, kernels_, geometry_, stage.objects);
+        return refit(stage, trees);
     case Stage::TopLevel:
         return instances_.update(context_, scene, geometry_, materials_, anchor);
     default:
         return {};
     }
+}
+
+Result<void> DeviceScene::refit(const PlannedStage& stage, TreeStore& trees) {
+    if (auto ok = refitter_.refit(context_, kernels_, geometry_, stage.objects); !ok)
+        return ok;
+    return renewTrees_ ? wornTrees_.watch(context_, geometry_, stage.objects, trees) : Result<void>{};
+}
+
+Result<void> DeviceScene::replaceTrees(const PlannedStage& stage, TreeStore& trees, DeviceState& state) {
+    for (const Id id : stage.objects) {
+        if (auto ok = wornTrees_.replace(context_, geometry_, id, trees); !ok)
+            return ok;
+        state.newTrees.erase(id);
+    }
+    return {};
+}
+
+std::set<Id> DeviceScene::newTrees(TreeStore& trees, std::vector<MeshPtr>& inWork) {
+    const std::set<Id> objects = wornTrees_.ready(geometry_, trees);
+    for (const MeshPtr& mesh : wornTrees_.meshes())
+        inWork.push_back(mesh);
+    return objects;
+}
+
+double DeviceScene::treeWear() const {
+    if (geometry_.posedPlaces().empty())
+        return 1.0;
+    double wear = 0.0;
+    for (const auto& [id, posed] : geometry_.posedPlaces())
+        wear = std::max(wear, posed.wear());
+    return wear;
 }
 
 void DeviceScene::removeAllBut(const std::set<Id>& objects) {

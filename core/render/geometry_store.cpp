@@ -1,5 +1,6 @@
 #include "core/render/geometry_store.h"
 
+#include "core/bvh/tree_cost.h"
 #include "core/render/render_plan.h"
 
 namespace prizma {
@@ -96,15 +97,67 @@ Result<void> GeometryStore::addPosed(Context& context, Id object, const MeshPlac
     PosedPlace posed;
     posed.tree = place.tree;
     posed.bounds = place.mesh->bounds;
+    posed.cost = posed.builtCost = treeCost(*place.tree);
     Steps steps;
     steps.run(posed.vertexBase, [&] { return addVertices(context, *place.mesh); });
-    steps.run(posed.nodeBase, [&] { return addNodes(context, *place.tree); });
-    steps.run(posed.leafBase, [&] { return addLeaves(context, *place.tree); });
     if (auto ok = steps.result(); !ok)
+        return ok;
+    if (auto ok = placeTree(context, posed, *place.tree); !ok)
         return ok;
     posed_.insert_or_assign(object, posed);
     ++posedRevision_;
+    return writeTree(context, posed, *place.tree);
+}
+
+/// Finds room for a tree and for somewhat larger ones after it.
+Result<void> GeometryStore::placeTree(Context& context, PosedPlace& posed, const DeviceTree& tree) {
+    const auto withSpare = [](std::size_t count) { return static_cast<std::uint32_t>(count + count / 8); };
+    const std::uint32_t nodes = withSpare(nodeCount(tree));
+    const std::uint32_t leaves = withSpare(leafCount(tree));
+    const bool isWide = layout_ == TreeLayout::Wide8;
+    const auto nodeBase =
+        isWide ? wideNodes_.allocate(context, nodes) : binaryNodes_.allocate(context, nodes);
+    if (!nodeBase)
+        return std::unexpected(nodeBase.error());
+    const auto leafBase =
+        isWide ? wideLeaves_.allocate(context, leaves) : binaryTriangles_.allocate(context, leaves);
+    if (!leafBase) {
+        releaseTree(*nodeBase, nodes, 0, 0);
+        return std::unexpected(leafBase.error());
+    }
+    posed.nodeBase = *nodeBase;
+    posed.nodeRoom = nodes;
+    posed.leafBase = *leafBase;
+    posed.leafRoom = leaves;
     return {};
+}
+
+Result<void> GeometryStore::writeTree(Context& context, const PosedPlace& posed, const DeviceTree& tree) {
+    if (layout_ == TreeLayout::Wide8) {
+        if (auto ok = wideNodes_.write(context, tree.wideNodes, posed.nodeBase); !ok)
+            return ok;
+        return wideLeaves_.write(context, tree.wideLeaves, posed.leafBase);
+    }
+    if (auto ok = binaryNodes_.write(context, tree.binaryNodes, posed.nodeBase); !ok)
+        return ok;
+    return binaryTriangles_.write(context, tree.binaryTriangles, posed.leafBase);
+}
+
+Result<bool> GeometryStore::replaceTree(Context& context, Id object, const DeviceTreePtr& tree) {
+    PosedPlace& posed = posed_.at(object);
+    if (nodeCount(*tree) > posed.nodeRoom || leafCount(*tree) > posed.leafRoom) {
+        PosedPlace larger = posed;
+        if (!placeTree(context, larger, *tree))
+            return false;
+        releaseTree(posed.nodeBase, posed.nodeRoom, posed.leafBase, posed.leafRoom);
+        posed = larger;
+    }
+    posed.tree = tree;
+    posed.cost = posed.builtCost = treeCost(*tree);
+    ++posedRevision_;
+    if (auto ok = writeTree(context, posed, *tree); !ok)
+        return std::unexpected(ok.error());
+    return true;
 }
 
 Result<void> GeometryStore::add(Context& context, const Object& object, const DeviceTreePtr& tree) {
@@ -147,22 +200,31 @@ void GeometryStore::removeAllBut(const std::set<Id>& objects) {
         remove(id);
 }
 
-void GeometryStore::releasePosed(const PosedPlace& posed, const MeshPlace& place) {
-    const std::size_t vertices = place.mesh->positions.size();
-    positions_.release(3 * posed.vertexBase, 3 * vertices);
-    normals_.release(3 * posed.vertexBase, 3 * vertices);
-    texCoords_.release(2 * posed.vertexBase, 2 * vertices);
+void GeometryStore::releaseVertices(std::uint32_t first, std::size_t count) {
+    positions_.release(3 * first, 3 * count);
+    normals_.release(3 * first, 3 * count);
+    texCoords_.release(2 * first, 2 * count);
+}
+
+void GeometryStore::releaseTree(std::uint32_t nodeBase, std::size_t nodes, std::uint32_t leafBase,
+                                std::size_t leaves) {
     if (layout_ == TreeLayout::Wide8) {
-        wideNodes_.release(posed.nodeBase, posed.tree->wideNodes.size());
-        wideLeaves_.release(posed.leafBase, posed.tree->wideLeaves.size());
+        wideNodes_.release(nodeBase, nodes);
+        wideLeaves_.release(leafBase, leaves);
     } else {
-        binaryNodes_.release(posed.nodeBase, posed.tree->binaryNodes.size());
-        binaryTriangles_.release(posed.leafBase, posed.tree->binaryTriangles.size());
+        binaryNodes_.release(nodeBase, nodes);
+        binaryTriangles_.release(leafBase, leaves);
     }
 }
 
+void GeometryStore::releasePosed(const PosedPlace& posed, const MeshPlace& place) {
+    releaseVertices(posed.vertexBase, place.mesh->positions.size());
+    releaseTree(posed.nodeBase, posed.nodeRoom, posed.leafBase, posed.leafRoom);
+}
+
 void GeometryStore::releaseMesh(const MeshPlace& place) {
-    releasePosed({place.tree, place.vertexBase, place.nodeBase, place.leafBase, {}, 0.0}, place);
+    releaseVertices(place.vertexBase, place.mesh->positions.size());
+    releaseTree(place.nodeBase, nodeCount(*place.tree), place.leafBase, leafCount(*place.tree));
     triangles_.release(place.triangleBase, place.mesh->triangles.size());
     skins_.release(place.skin);
 }

@@ -23,8 +23,13 @@ struct MeshPlace {
 struct PosedPlace {
     DeviceTreePtr tree;
     std::uint32_t vertexBase = 0, nodeBase = 0, leafBase = 0;
-    Bounds bounds;     ///< Object space, of the pose it is in.
-    double cost = 0.0; ///< Of the tree in that pose, as treeCost says.
+    std::uint32_t nodeRoom = 0, leafRoom = 0; ///< A tree of the same triangles takes a little more or less.
+    Bounds bounds;                            ///< Object space, of the pose it is in.
+    double cost = 0.0;                        ///< Of the tree in that pose, as treeCost says.
+    double builtCost = 0.0;                   ///< In the pose that it was built for.
+
+    /// By how much refitting has made the tree worse: 1 is as good as built.
+    double wear() const { return builtCost > 0.0 ? cost / builtCost : 1.0; }
 };
 
 /// An object's vertices, in object space.
@@ -49,8 +54,13 @@ class GeometryStore {
     void remove(Id object);
     void removeAllBut(const std::set<Id>& objects);
 
+    /// Gives a posed object another tree over its triangles. Its boxes and corners are to be brought to the
+    /// vertices after this. False: there is no room for it, the old one stays.
+    Result<bool> replaceTree(Context& context, Id object, const DeviceTreePtr& tree);
+
     ObjectPlace placeOf(Id object) const;
     PosedPlace* posedPlaceOf(Id object);
+    const std::map<Id, PosedPlace>& posedPlaces() const { return posed_; }
 
     /// The vertices of an object's pose; waits for the device. Errors: the object is not posed.
     Result<std::vector<glm::vec3>> readPosedPositions(Context& context, Id object) const;
@@ -80,6 +90,10 @@ class GeometryStore {
     Result<void> addPosed(Context& context, Id object, const MeshPlace& place);
     void releaseMesh(const MeshPlace& place);
     void releasePosed(const PosedPlace& posed, const MeshPlace& place);
+    void releaseVertices(std::uint32_t first, std::size_t count);
+    void releaseTree(std::uint32_t nodeBase, std::size_t nodes, std::uint32_t leafBase, std::size_t leaves);
+    Result<void> placeTree(Context& context, PosedPlace& posed, const DeviceTree& tree);
+    Result<void> writeTree(Context& context, const PosedPlace& posed, const DeviceTree& tree);
 
     /// Vertices in step: positions, normals and texture coordinates of a vertex have the same number.
     Result<std::uint32_t> addVertices(Context& context, const Mesh& mesh);

@@ -38,6 +38,7 @@ Result<RayQuery> RayQuery::create(const Scene& scene, const std::string& deviceI
     RendererOptions options;
     options.deviceId = deviceId;
     options.layout = layout;
+    options.renewTrees = false; // nobody would fetch them
     auto renderer = Renderer::create(std::move(options));
     if (!renderer)
         return std::unexpected(renderer.error());
@@ -57,6 +58,18 @@ glm::dvec3 RayQuery::origin() const {
 
 std::string RayQuery::deviceName() const {
     return state_->renderer->device().name;
+}
+
+TreeLayout RayQuery::layout() const {
+    return state_->renderer->layout();
+}
+
+std::uint64_t RayQuery::deviceBytes() const {
+    return state_->renderer->statistics(false).deviceBytes;
+}
+
+double RayQuery::treeWear() const {
+    return state_->renderer->statistics(false).treeWear;
 }
 
 Result<void> RayQuery::setRays(std::span<const DeviceRay> rays) {

@@ -41,6 +41,14 @@ class RayQuery {
 
     std::string deviceName() const;
 
+    TreeLayout layout() const;
+
+    /// What the scene's buffers take on the device.
+    std::uint64_t deviceBytes() const;
+
+    /// RenderStatistics::treeWear: how much worse than when built the most worn of the refitted trees is.
+    double treeWear() const;
+
     /// Puts the rays on the device once, so that repeated `trace` calls measure tracing only.
     Result<void> setRays(std::span<const DeviceRay> rays);
 

@@ -78,6 +78,19 @@ void planPoses(const DeviceState& held, const Scene& next, const SceneDiff& chan
     plan.restart("pose changed");
 }
 
+/// A better tree shows the same picture, so that nothing restarts.
+void planNewTrees(const DeviceState& held, const Scene& next, PlanBuilder& plan) {
+    std::vector<Id> objects;
+    for (const Object& object : next.objects)
+        if (held.newTrees.contains(object.id) && isDrawn(object) && isPosed(object))
+            objects.push_back(object.id);
+    if (objects.empty())
+        return;
+    for (const Stage stage : {Stage::NewTrees, Stage::TriangleShader, Stage::RefitTreeShader})
+        plan.need(stage, "tree built anew", objects);
+    plan.need(Stage::TopLevel, "tree built anew");
+}
+
 void planTopLevel(const Scene& before, const Scene& next, const SceneDiff& changes, PlanBuilder& plan) {
     const auto touchesDrawn = [&](const std::vector<Id>& ids) {
         return std::any_of(ids.begin(), ids.end(), [&](Id id) {
@@ -143,6 +156,8 @@ std::string describe(Stage stage) {
         return "Materials";
     case Stage::Lights:
         return "Lights";
+    case Stage::NewTrees:
+        return "New trees";
     case Stage::Poses:
         return "Poses";
     case Stage::VertexShader:
@@ -201,6 +216,7 @@ RenderPlan makePlan(const DeviceState& held, const Scene& next, int width, int h
         }
         exposureChanged = changes.exposure;
     }
+    planNewTrees(held, next, plan);
     if (width != held.width || height != held.height)
         plan.restart("picture resized");
     if (held.dropped)

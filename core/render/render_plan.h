@@ -18,6 +18,7 @@ enum class Stage {
     Textures,           ///< Upload pictures.
     Materials,          ///< Upload the material table.
     Lights,             ///< Upload the light table.
+    NewTrees,           ///< Upload trees that were built anew for poses that had worn the old ones out.
     Poses,              ///< Evaluate clips, on the host.
     VertexShader,       ///< Pose the vertices of Dynamic objects.
     TriangleShader,     ///< Put their triangles into the leaves.
@@ -45,6 +46,7 @@ struct DeviceState {
         scene;             ///< What the buffers were last brought up to; nothing at first and after a fault.
     std::set<Id> resident; ///< Objects whose geometry is there.
     std::map<Id, PoseKey> poses; ///< What the resident Dynamic objects were last posed with.
+    std::set<Id> newTrees;       ///< Posed objects for which a better tree is ready, on the host.
     glm::dvec3 anchor{0.0};      ///< World position that everything is relative to.
     int width = 0, height = 0;   ///< Of the picture.
     int samples = 0;             ///< Whole samples that its pixels hold.

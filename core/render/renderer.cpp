@@ -40,7 +40,8 @@ Result<std::unique_ptr<Renderer>> Renderer::create(RendererOptions options) {
         return std::unexpected(kernels.error());
     std::unique_ptr<Renderer> made(new Renderer(std::move(*context), layout, std::move(options.treeReady)));
     made->kernels_ = std::make_unique<KernelSet>(std::move(*kernels));
-    made->deviceScene_ = std::make_unique<DeviceScene>(*made->context_, *made->kernels_, layout);
+    made->deviceScene_ =
+        std::make_unique<DeviceScene>(*made->context_, *made->kernels_, layout, options.renewTrees);
     return made;
 }
 
@@ -55,6 +56,7 @@ Scene Renderer::drawable(Scene scene) {
         if (object.visible && !trees_.request(object.mesh))
             waiting.push_back(i);
     }
+    state_.newTrees = deviceScene_->newTrees(trees_, wanted);
     trees_.keepOnly(wanted);
     for (const std::size_t i : waiting)
         scene.objects.edit()[i].mesh = nullptr;
@@ -273,6 +275,7 @@ RenderStatistics Renderer::statistics(bool countRays) {
     result.passMilliseconds = passMilliseconds_;
     result.triangles = deviceScene_->instances().triangleCount();
     result.deviceBytes = context_->allocatedBytes();
+    result.treeWear = deviceScene_->treeWear();
     result.rays.camera = static_cast<std::uint64_t>(film_.width) * static_cast<std::uint64_t>(film_.height);
     if (!countRays)
         return result;

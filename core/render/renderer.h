@@ -20,6 +20,7 @@ struct RendererOptions {
     std::optional<TreeLayout> layout; ///< Nothing: what suits the device.
     std::function<void()> treeReady;  ///< From another thread: a tree that a scene waits for has been built.
     std::function<void()> building;   ///< Before kernels are compiled.
+    bool renewTrees = true;           ///< Build trees anew, in the background, that refitting has worn out.
 };
 
 /// Renders scenes on one device: plans, brings the device up to date, adds sample after sample. For one
@@ -30,6 +31,7 @@ class Renderer {
     ~Renderer();
 
     const DeviceInfo& device() const { return context_->info(); }
+    TreeLayout layout() const { return trees_.layout(); }
 
     /// The scene with what can be drawn now: meshes whose trees are still being built are taken out. The
     /// first call for a mesh starts its build.

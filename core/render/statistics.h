@@ -28,6 +28,7 @@ struct RenderStatistics {
     double passMilliseconds = 0.0;       ///< From the snapshot to the finished pass.
     std::uint64_t triangles = 0;         ///< As instanced in the scene.
     std::uint64_t deviceBytes = 0;       ///< Buffers on the device.
+    double treeWear = 1.0;               ///< Cost of the most worn refitted tree over its cost when built.
 };
 
 } // namespace prizma

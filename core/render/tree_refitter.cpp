@@ -1,7 +1,5 @@
 #include "core/render/tree_refitter.h"
 
-#include "core/bvh/tree_cost.h"
-
 namespace prizma {
 namespace {
 
@@ -9,11 +7,6 @@ constexpr std::size_t groupSize = 64;
 /// Levels with fewer nodes cost less in one work group than in launches of their own.
 constexpr std::uint32_t smallLevel = 512;
 constexpr std::size_t measuresATree = 7; ///< Box and cost.
-
-std::uint32_t nodeCount(const DeviceTree& tree) {
-    const auto count = tree.layout == TreeLayout::Wide8 ? tree.wideNodes.size() : tree.binaryNodes.size();
-    return static_cast<std::uint32_t>(count);
-}
 
 } // namespace
 
@@ -23,7 +16,7 @@ Result<void> TreeRefitter::shadeTriangles(Context& context, KernelSet& kernels, 
         return ok;
     for (const Id id : objects) {
         const ObjectPlace place = geometry.placeOf(id);
-        const std::uint32_t nodes = nodeCount(*place.posed->tree);
+        const auto nodes = static_cast<std::uint32_t>(nodeCount(*place.posed->tree));
         Kernel& kernel = kernels.triangleShader;
         kernel.setArguments(geometry.nodes(), costs_, place.posed->nodeBase, nodes, geometry.leaves(),
                             place.posed->leafBase, geometry.triangles(), place.mesh->triangleBase,
@@ -114,7 +107,7 @@ Result<void> TreeRefitter::readRoots(Context& context, KernelSet& kernels, Geome
         const float* v = &values[measuresATree * i];
         PosedPlace& posed = *geometry.posedPlaceOf(table_.objects[i]);
         posed.bounds = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
-        posed.cost = treeCost(static_cast<double>(v[6]), posed.bounds);
+        posed.cost = static_cast<double>(v[6]);
     }
     return {};
 }

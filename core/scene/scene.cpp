@@ -1,6 +1,7 @@
 #include "core/scene/scene.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 namespace prizma {
@@ -61,17 +62,22 @@ Id addMaterial(Scene& scene, Material item) {
 
 template <class T>
 std::string uniqueName(const CowList<T>& list, const std::string& wanted) {
-    const auto taken = [&](const std::string& name) {
-        return std::any_of(list.begin(), list.end(), [&](const T& item) { return item.name == name; });
-    };
-    if (!taken(wanted))
+    if (std::none_of(list.begin(), list.end(), [&](const T& item) { return item.name == wanted; }))
         return wanted;
-    const std::string base = stem(wanted);
-    for (int number = 2;; ++number) {
-        std::string name = base + " " + std::to_string(number);
-        if (!taken(name))
-            return name;
+    const std::string start = stem(wanted) + ' ';
+    std::vector<bool> taken(list.size() + 3, false); // numbers; one of them is free
+    for (const T& item : list) {
+        if (!item.name.starts_with(start))
+            continue;
+        const char* const first = item.name.data() + start.size();
+        const char* const end = item.name.data() + item.name.size();
+        std::size_t number = 0;
+        const auto read = std::from_chars(first, end, number);
+        if (read.ec == std::errc{} && read.ptr == end && *first != '0' && number < taken.size())
+            taken[number] = true;
     }
+    const auto free = std::find(taken.begin() + 2, taken.end(), false);
+    return start + std::to_string(free - taken.begin());
 }
 
 template std::string uniqueName(const CowList<Object>&, const std::string&);

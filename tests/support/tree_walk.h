@@ -19,10 +19,6 @@ struct Child {
     bool isLeaf() const { return !isMissing() && (reference & PRIZMA_LEAF_BIT) != 0; }
 };
 
-inline std::size_t nodeCount(const DeviceTree& tree) {
-    return tree.layout == TreeLayout::Wide8 ? tree.wideNodes.size() : tree.binaryNodes.size();
-}
-
 inline std::vector<Child> childrenOf(const DeviceTree& tree, std::size_t index) {
     std::vector<Child> children;
     if (tree.layout == TreeLayout::Wide8) {

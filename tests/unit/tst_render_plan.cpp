@@ -78,6 +78,7 @@ class RenderPlanTest : public QObject {
     void onlyWhatMovesIsPosed();
     void posesThatStandAreLeftAlone();
     void morphWeightPosesItsObject();
+    void newTreeKeepsThePicture();
     void newObjectIsUploadedAlone();
     void nameIsNotInThePicture();
     void farCameraMovesTheAnchor();
@@ -281,6 +282,26 @@ void RenderPlanTest::morphWeightPosesItsObject() {
     after.timeline.frame = 12.0; // morph targets have no time
     QCOMPARE(planAfter(before, after).find(Stage::VertexShader)->objects,
              std::vector<Id>{before.objects[2].id});
+}
+
+void RenderPlanTest::newTreeKeepsThePicture() {
+    Scene scene = makeScene();
+    const Id bender = scene.objects[2].id;
+    DeviceState state = drawn(scene);
+    state.newTrees = {bender, scene.objects[0].id, noId}; // the others are not posed, or gone
+    const RenderPlan plan = makePlan(state, scene, 640, 480);
+    QVERIFY(!plan.restarts);
+    QCOMPARE(stagesOf(plan), (std::vector<Stage>{Stage::NewTrees, Stage::TriangleShader,
+                                                 Stage::RefitTreeShader, Stage::TopLevel}));
+    for (const Stage stage : {Stage::NewTrees, Stage::TriangleShader, Stage::RefitTreeShader})
+        QCOMPARE(plan.find(stage)->objects, std::vector<Id>{bender});
+
+    state.samples = 5; // the next sample comes with it
+    QVERIFY(makePlan(state, scene, 640, 480).find(Stage::RayShader));
+    QVERIFY(!makePlan(state, scene, 640, 480).restarts);
+
+    scene.objects.edit()[2].visible = false;
+    QVERIFY(!makePlan(state, scene, 640, 480).find(Stage::NewTrees));
 }
 
 void RenderPlanTest::newObjectIsUploadedAlone() {

@@ -183,13 +183,13 @@ class ModelBuilder {
     std::size_t notFinite_ = 0;
 };
 
-/// assimp falls back to a material file of the model's own name; that one is missing only if it was asked
-/// for.
+/// assimp falls back to a material file of the model's own name, which is missing only if it was asked for,
+/// and looks for MD5 animations on the off chance.
 void warnOfMissingFiles(const AssimpFiles& files, const std::string& model, Diagnostics& warnings) {
     const std::string fallback = std::filesystem::path(model).replace_extension("mtl").string();
     const bool another = files.missing().size() > 1;
     for (const std::string& file : files.missing())
-        if (file != fallback || !another)
+        if ((file != fallback || !another) && !file.ends_with(".md5anim"))
             warnings.push_back(
                 {Severity::Warning, "The file is missing; the model was read without it.", file, 0});
 }

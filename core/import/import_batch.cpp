@@ -56,7 +56,14 @@ BatchFiles sortFiles(const std::vector<std::string>& files) {
 ImportBatch importBatch(const BatchFiles& files, const std::vector<ImportOptions>& options,
                         Progress& progress) {
     ImportBatch batch;
+    const auto count = static_cast<double>(files.models.size() + files.animations.size());
+    double done = 0.0;
+    const auto nextPart = [&] {
+        progress.beginPart(done / count, (done + 1.0) / count);
+        done += 1.0;
+    };
     for (std::size_t i = 0; i < files.models.size(); ++i) {
+        nextPart();
         auto model = importModel(files.models[i], options[i], progress);
         if (!model) {
             batch.faults.push_back(model.error());
@@ -70,9 +77,11 @@ ImportBatch importBatch(const BatchFiles& files, const std::vector<ImportOptions
     }
     if (!files.models.empty() && batch.models.empty())
         return batch; // the models' faults say it all
-    for (const std::string& file : files.animations)
-        if (auto done = addToBestModel(file, batch.models, progress); !done)
-            batch.faults.push_back(done.error());
+    for (const std::string& file : files.animations) {
+        nextPart();
+        if (auto added = addToBestModel(file, batch.models, progress); !added)
+            batch.faults.push_back(added.error());
+    }
     return batch;
 }
 

@@ -1,3 +1,4 @@
+#include "core/import/animation_importer.h"
 #include "core/import/model_importer.h"
 
 #include <QDir>
@@ -218,6 +219,57 @@ class TestImport : public QObject {
             const auto model = import(write("bent.obj", bent));
             QVERIFY(model ? isSound(*model) : !model.error().message.empty());
         }
+    }
+
+    void animationsOfOtherFormats_data() {
+        QTest::addColumn<QString>("model");
+        QTest::addColumn<QString>("animation");
+        QTest::addColumn<QString>("bone");
+        QTest::addColumn<QString>("clip");
+        QTest::newRow("glTF") << "bend.gltf"
+                              << "bend.gltf"
+                              << "tip"
+                              << "bend";
+        QTest::newRow("Collada without a model") << "bend.gltf"
+                                                 << "skins/tip.dae"
+                                                 << "tip"
+                                                 << "";
+        QTest::newRow("MD5") << "skins/flag.md5mesh"
+                             << "skins/blow.md5anim"
+                             << "cloth"
+                             << "blow";
+    }
+    void animationsOfOtherFormats() {
+        QFETCH(QString, model);
+        QFETCH(QString, animation);
+        QFETCH(QString, bone);
+        QFETCH(QString, clip);
+        const auto imported = import(data(model.toUtf8().constData()));
+        QVERIFY2(imported, imported ? "" : describe(imported.error()).c_str());
+        QVERIFY(imported->mesh->isSkinned());
+        const Skeleton& skeleton = *imported->mesh->skeleton;
+        MeshSource source;
+        source.file = data(model.toUtf8().constData());
+        Progress progress;
+        const auto added = importAnimation(data(animation.toUtf8().constData()), skeleton, source, progress);
+        QVERIFY2(added, added ? "" : describe(added.error()).c_str());
+        QCOMPARE(added->clips.size(), std::size_t(1));
+        const Clip& found = *added->clips[0];
+        QVERIFY(clip.isEmpty() || found.name == clip.toStdString());
+        QVERIFY(found.frameCount > 1);
+        bool moves = false; // the bone that is animated, and none that is not there
+        for (const BoneTrack& track : found.tracks) {
+            QCOMPARE(track.frames.size(), static_cast<std::size_t>(found.frameCount));
+            const Bone& moved = skeleton.bones.at(static_cast<std::size_t>(track.bone));
+            if (moved.name == bone.toStdString())
+                moves = !(track.frames.front() == track.frames[track.frames.size() / 2]);
+        }
+        QVERIFY(moves);
+        if (model == animation) // what the model brought along, once more
+            for (std::size_t i = 0; i < found.tracks.size(); ++i) {
+                QCOMPARE(found.tracks[i].bone, imported->clips[0]->tracks[i].bone);
+                QVERIFY(found.tracks[i].frames == imported->clips[0]->tracks[i].frames);
+            }
     }
 
     void cancelling() {

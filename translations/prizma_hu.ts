@@ -238,6 +238,10 @@ sudo apt install pocl-opencl-icd</translation>
             <translation>%1 mozgásai</translation>
         </message>
         <message>
+            <source>Frames a second</source>
+            <translation>Képkocka másodpercenként</translation>
+        </message>
+        <message>
             <source>Frames</source>
             <translation>Kocka</translation>
         </message>

@@ -134,7 +134,10 @@ void ClipList::showChosen() {
     if (!object)
         return;
     const QScopedValueRollback guard(updating_, true);
-    list_->setHeaderLabels({tr("Clips of %1").arg(toQString(object->name)), tr("Frames"), tr("1/s")});
+    const QString name = toQString(object->name);
+    list_->setHeaderLabels({name, tr("Frames"), tr("1/s")});
+    list_->headerItem()->setToolTip(NameColumn, tr("Clips of %1").arg(name));
+    list_->headerItem()->setToolTip(RateColumn, tr("Frames a second"));
     const std::string chosen = findClip(*object, object->clip) ? object->clip : std::string();
     for (int i = 0; i < list_->topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = list_->topLevelItem(i);

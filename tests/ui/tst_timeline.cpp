@@ -341,6 +341,14 @@ void TestTimeline::fieldsMoveAndSetTheRange() {
     QCOMPARE(field("time")->value(), 0.4);
     typeInto(*field("time"), QStringLiteral("1.5"));
     QCOMPARE(frame(), 45.0);
+    NumberField* time = field("time"); // stepping keeps to whole frames, although a third is no round number
+    time->setFocus();
+    QTRY_VERIFY(time->hasFocus());
+    for (int i = 1; i <= 10; ++i) {
+        QTest::keyClick(time, Qt::Key_Up);
+        QCOMPARE(frame(), 45.0 + i);
+    }
+    controller().goTo(45.0);
     QCOMPARE(steps(), before);
 
     typeInto(*field("end"), QStringLiteral("60"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/compute/device.h"
 #include "core/render/offline_render.h"
 #include "core/scene/primitives.h"
 #include "core/scene/scene.h"
@@ -8,6 +9,7 @@
 
 #include <memory>
 #include <random>
+#include <stdexcept>
 
 namespace prizma::test {
 
@@ -80,11 +82,14 @@ inline Object bendingObject() {
     return object;
 }
 
-/// The default device's renderer, or null if there is no device.
+/// The default device's renderer, or null if there is no device. Kernels that do not compile are no reason to
+/// skip a test: they end it.
 inline std::unique_ptr<Renderer> makeRenderer(std::optional<TreeLayout> layout = std::nullopt) {
     RendererOptions options;
     options.layout = layout;
     auto made = Renderer::create(std::move(options));
+    if (!made && !listDevices().empty())
+        throw std::runtime_error(made.error().message);
     return made ? std::move(*made) : nullptr;
 }
 

@@ -28,12 +28,14 @@ class Collapser {
     Costs costsOf(const BvhNode& node, float visit) const;
     void gather(std::uint32_t source, std::uint32_t slots);
     void gatherBelow(std::uint32_t source, std::uint32_t slots);
+    void sortChildren();
     void layOut();
     std::uint32_t emitLeaf(std::uint32_t source);
 
     const Bvh& bvh_;
     std::uint32_t width_;
     std::uint32_t leafSize_;
+    float areaScale_ = 1.0f;
     std::vector<Costs> costs_;
     std::vector<std::uint32_t> primitiveCounts_; ///< Below each node.
     std::vector<std::uint8_t> isLeaf_;           ///< Whether a node is a leaf if it is a child.
@@ -62,13 +64,13 @@ Costs Collapser::costsOf(const BvhNode& node, float visit) const {
 
 /// From the leaves to the root: children come after their parents in `bvh_.nodes`.
 void Collapser::computeCosts() {
-    const float scale = areaScale(Box4::of(bvh_.nodes.front().bounds));
+    areaScale_ = areaScale(Box4::of(bvh_.nodes.front().bounds));
     costs_.resize(bvh_.nodes.size());
     primitiveCounts_.resize(bvh_.nodes.size());
     isLeaf_.resize(bvh_.nodes.size());
     for (std::size_t i = bvh_.nodes.size(); i-- > 0;) {
         const BvhNode& node = bvh_.nodes[i];
-        const float area = scaledHalfArea(Box4::of(node.bounds), scale);
+        const float area = scaledHalfArea(Box4::of(node.bounds), areaScale_);
         const float asLeaf = area * leafCost;
         if (node.isLeaf()) {
             isLeaf_[i] = true;
@@ -130,6 +132,21 @@ std::uint32_t Collapser::emitLeaf(std::uint32_t source) {
     return static_cast<std::uint32_t>(tree_.leaves.size() - 1);
 }
 
+/// Rays that end at their first hit visit children as they stand: a large one that holds much is the most likely
+/// to end them. For all other rays distances decide.
+void Collapser::sortChildren() {
+    std::array<std::pair<float, std::uint32_t>, maxWidth> order;
+    for (std::uint32_t i = 0; i < childCount_; ++i) {
+        const std::uint32_t child = children_[i];
+        const float area = scaledHalfArea(Box4::of(bvh_.nodes[child].bounds), areaScale_);
+        order[i] = {isLeaf_[child] != 0 ? -1.0f / (1.0f + area) : area, child};
+    }
+    std::stable_sort(order.begin(), order.begin() + childCount_,
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (std::uint32_t i = 0; i < childCount_; ++i)
+        children_[i] = order[i].second;
+}
+
 void Collapser::layOut() {
     tree_.nodes.reserve(bvh_.nodes.size() / width_ + 1);
     tree_.leaves.reserve(bvh_.nodes.size() / 2 + 1);
@@ -148,6 +165,7 @@ void Collapser::layOut() {
             children_[childCount_++] = step.source;
         else
             gatherBelow(step.source, width_);
+        sortChildren();
         auto next = static_cast<std::uint32_t>(tree_.nodes.size());
         CollapsedNode& node = tree_.nodes[step.place];
         node.childCount = childCount_;

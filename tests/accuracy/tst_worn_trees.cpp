@@ -21,8 +21,7 @@ std::unique_ptr<Renderer> rendererFor(TreeLayout layout, bool renewTrees) {
     RendererOptions options;
     options.layout = layout;
     options.renewTrees = renewTrees;
-    auto made = Renderer::create(std::move(options));
-    return made ? std::move(*made) : nullptr;
+    return makeRenderer(std::move(options));
 }
 
 /// Shards of a room and things, at the end of their flight.

@@ -1,8 +1,11 @@
 #pragma once
 
+#include "core/compute/device.h"
 #include "core/render/offline_render.h"
 #include "core/scene/primitives.h"
 #include "core/scene/scene.h"
+
+#include <QtGlobal>
 
 #include <glm/gtc/constants.hpp>
 
@@ -80,12 +83,21 @@ inline Object bendingObject() {
     return object;
 }
 
+/// A renderer, or null if there is no device. One that is there but does not work is a fault, not a skip.
+inline std::unique_ptr<Renderer> makeRenderer(RendererOptions options) {
+    if (listDevices().empty())
+        return nullptr;
+    auto made = Renderer::create(std::move(options));
+    if (!made)
+        qFatal("%s", made.error().message.c_str());
+    return std::move(*made);
+}
+
 /// The default device's renderer, or null if there is no device.
 inline std::unique_ptr<Renderer> makeRenderer(std::optional<TreeLayout> layout = std::nullopt) {
     RendererOptions options;
     options.layout = layout;
-    auto made = Renderer::create(std::move(options));
-    return made ? std::move(*made) : nullptr;
+    return makeRenderer(std::move(options));
 }
 
 /// Linear radiance of one pixel.

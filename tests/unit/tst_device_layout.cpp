@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -99,6 +100,9 @@ class TestDeviceLayout : public QObject {
     void holdsTheMesh_data();
     void holdsTheMesh();
     void staysShallowForHostileMeshes();
+    void holdsAMillionTrianglesAtOnePoint();
+    void holdsEachCopyOfATriangle();
+    void leavesOutWhatIsNoTriangle();
     void ordersRefitLevels();
     void refitsMovedVertices();
     void fillsWideNodes();
@@ -138,6 +142,67 @@ void TestDeviceLayout::staysShallowForHostileMeshes() {
         const DeviceTree tree = layOut(mesh, layout);
         QVERIFY(tree.depth <= PRIZMA_MAX_TREE_DEPTH);
         QCOMPARE(Walk(tree, mesh).fault(), QString());
+    }
+}
+
+void TestDeviceLayout::holdsAMillionTrianglesAtOnePoint() {
+    Mesh mesh;
+    mesh.positions = {{1.5f, -2.0f, 0.25f}, {1.5f, -2.0f, 0.25f}};
+    mesh.triangles.assign(1000000, glm::uvec3(0, 1, 0));
+    for (const TreeLayout layout : layouts) {
+        QElapsedTimer timer;
+        timer.start();
+        const DeviceTree tree = layOut(mesh, layout);
+        QVERIFY2(timer.elapsed() < 10000, "took more than ten seconds");
+        QVERIFY(tree.depth <= 24);
+        QVERIFY(leafCount(tree) <= (layout == TreeLayout::Wide8 ? 125000u : 1000000u)); // no leaf half empty
+        QCOMPARE(Walk(tree, mesh).fault(), QString());
+    }
+}
+
+void TestDeviceLayout::holdsEachCopyOfATriangle() {
+    Mesh mesh = randomMesh(3000, 15);
+    const auto once = mesh.triangles;
+    for (int copy = 0; copy < 20; ++copy)
+        mesh.triangles.insert(mesh.triangles.end(), once.begin(), once.end());
+    for (const TreeLayout layout : layouts)
+        QCOMPARE(Walk(layOut(mesh, layout), mesh).fault(), QString());
+}
+
+void TestDeviceLayout::leavesOutWhatIsNoTriangle() {
+    std::mt19937 random(17);
+    for (int round = 0; round < 10; ++round) {
+        Mesh mesh; // of any bits at all
+        for (std::uint32_t i = 0; i < 3000; ++i) {
+            for (int corner = 0; corner < 3; ++corner) {
+                std::uint32_t bits[3];
+                std::generate(std::begin(bits), std::end(bits), std::ref(random));
+                mesh.positions.emplace_back(std::bit_cast<float>(bits[0]), std::bit_cast<float>(bits[1]),
+                                            std::bit_cast<float>(bits[2]));
+            }
+            mesh.triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+        }
+        for (const TreeLayout layout : layouts) {
+            const DeviceTree tree = layOut(mesh, layout);
+            QVERIFY(tree.depth <= PRIZMA_MAX_TREE_DEPTH);
+            std::vector<int> seen(mesh.triangles.size(), 0);
+            for (std::size_t i = 0; i < nodeCount(tree); ++i)
+                for (const Child& child : childrenOf(tree, i)) {
+                    if (!child.isLeaf())
+                        continue;
+                    const auto triangles = trianglesOf(tree, child, mesh);
+                    QVERIFY(triangles);
+                    for (const std::uint32_t triangle : *triangles)
+                        ++seen.at(triangle);
+                }
+            for (std::uint32_t i = 0; i < seen.size(); ++i) {
+                const Bounds box = triangleBounds(mesh, i);
+                bool finite = true;
+                for (int axis = 0; axis < 3; ++axis)
+                    finite = finite && std::isfinite(box.low[axis]) && std::isfinite(box.high[axis]);
+                QCOMPARE(seen[i], finite ? 1 : 0);
+            }
+        }
     }
 }
 

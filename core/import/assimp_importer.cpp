@@ -8,6 +8,7 @@
 #include "core/import/mesh_builder.h"
 
 #include <assimp/Importer.hpp>
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -207,6 +208,8 @@ class AssimpFile {
         : file_(file), progress_(progress), files_(file), handler_(progress, readingShare) {
         importer_.SetIOHandler(&files_);
         importer_.SetProgressHandler(&handler_);
+        // Otherwise FBX bones fall apart into helper nodes, others in a file of animation than in its model.
+        importer_.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     }
     AssimpFile(const AssimpFile&) = delete;
     AssimpFile& operator=(const AssimpFile&) = delete;

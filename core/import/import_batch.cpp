@@ -1,6 +1,7 @@
 #include "core/import/import_batch.h"
 
 #include "core/import/file_finder.h"
+#include "core/import/qc_importer.h"
 
 #include <filesystem>
 #include <optional>
@@ -42,13 +43,17 @@ std::string withoutExtension(const std::string& file) {
 } // namespace
 
 BatchFiles sortFiles(const std::vector<std::string>& files) {
-    std::set<std::string> stems;
-    for (const std::string& file : files)
-        if (lowerExtension(file) == "smd")
-            stems.insert(withoutExtension(file));
+    std::set<std::string> included; // they come with another file
+    for (const std::string& file : files) {
+        const std::string extension = lowerExtension(file);
+        if (extension == "smd")
+            included.insert(withoutExtension(file) + ".vta");
+        else if (extension == "qc")
+            included.merge(filesOfQc(absolutePath(file)));
+    }
     BatchFiles sorted;
     for (const std::string& file : files)
-        if (lowerExtension(file) != "vta" || !stems.contains(withoutExtension(file)))
+        if (!included.contains(absolutePath(file)))
             (isAnimationFile(file) ? sorted.animations : sorted.models).push_back(file);
     return sorted;
 }

@@ -234,7 +234,8 @@ void MainWindow::jumpTo(const Diagnostic& diagnostic) {
         if (comesFrom(material, diagnostic.file))
             causes.push_back({EntityKind::Material, material.id});
     for (const Object& object : document_->scene().objects)
-        if (object.source.file == diagnostic.file)
+        if (object.source.file == diagnostic.file ||
+            std::ranges::find(object.clipFiles, diagnostic.file) != object.clipFiles.end())
             causes.push_back({EntityKind::Object, object.id});
     if (document_->scene().background.image.file == diagnostic.file)
         causes.push_back({EntityKind::Background});

@@ -13,8 +13,10 @@
 #include <QLabel>
 #include <QLocale>
 #include <QScopedValueRollback>
+#include <QTimer>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 namespace prizma {
 namespace {
@@ -174,6 +176,11 @@ bool ClipList::eventFilter(QObject* watched, QEvent* event) {
         (watched == list_ && event->type() == QEvent::FocusOut)) {
         preview_.end();
         showChosen(); // the keyboard's cursor goes back to it, too
+    }
+    if (watched == list_->viewport() && event->type() == QEvent::Wheel) {
+        // Once it has scrolled, another clip is under the pointer, which has not moved.
+        const QPoint place = static_cast<QWheelEvent*>(event)->position().toPoint();
+        QTimer::singleShot(0, this, [this, place] { showPreview(list_->itemAt(place)); });
     }
     return QWidget::eventFilter(watched, event);
 }

@@ -109,6 +109,7 @@ class TestDocument : public QObject {
     void deletedMaterialsAreReplaced();
     void idsAreNeverUsedTwice();
     void savedIsUnmodified();
+    void goesWithoutAWord();
     void badValuesAreRefused();
     void expressions_data();
     void expressions();
@@ -323,6 +324,18 @@ void TestDocument::savedIsUnmodified() {
     QVERIFY(document.isModified());
     QVERIFY(!document.save(folder.filePath(QStringLiteral("no/such/folder/x.prizma"))).isEmpty());
     QVERIFY(document.isModified());
+}
+
+void TestDocument::goesWithoutAWord() {
+    int told = 0;
+    {
+        Document document;
+        document.reset(makeScene(), {});
+        addLight(document, LightType::Spot);
+        QVERIFY(document.isModified());
+        QObject::connect(&document, &Document::fileChanged, [&told] { ++told; });
+    }
+    QCOMPARE(told, 0);
 }
 
 void TestDocument::badValuesAreRefused() {

@@ -52,6 +52,11 @@ Document::Document(QObject* parent) : QObject(parent) {
     connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
 }
 
+// A stack that goes says that it is clean. Whoever listens may be half gone by then.
+Document::~Document() {
+    undoStack_.disconnect(this);
+}
+
 void Document::setSelection(std::vector<EntityRef> selection) {
     std::vector<EntityRef> kept;
     for (const EntityRef& entity : selection)

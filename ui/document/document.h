@@ -21,6 +21,7 @@ class Document : public QObject {
 
   public:
     explicit Document(QObject* parent = nullptr);
+    ~Document() override;
 
     const Scene& scene() const { return scene_; }
     QUndoStack& undoStack() { return undoStack_; }

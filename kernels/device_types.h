@@ -161,11 +161,39 @@ typedef struct {
     float sceneRadius; // for the depth view
 } DeviceShading;
 
-// A bone's influence on a vertex.
+// A vertex of a mesh that can be posed, in the bind pose. Its lists end where those of the next vertex begin.
 typedef struct {
-    DeviceUint bone;
-    float weight;
-} DeviceInfluence;
+    float position[3];
+    DeviceUint firstQuad; // DeviceInfluenceQuad
+    float normal[3];
+    DeviceUint firstOffset; // DeviceMorphOffset
+} DeviceSkinVertex;
+
+// Four bones' influences on a vertex. Places that are left have weight 0.
+typedef struct {
+    DeviceUint bone[4]; // of the object's
+    float weight[4];
+} DeviceInfluenceQuad;
+
+// How far a morph target moves a vertex at weight 1.
+typedef struct {
+    float position[3];
+    DeviceUint target;
+    float normal[3];
+    float padding;
+} DeviceMorphOffset;
+
+#define PRIZMA_VERTICES_A_BLOCK 64u
+#define PRIZMA_NO_WEIGHTS 0xFFFFFFFFu
+
+// Neighbouring vertices of one object: what a work group of VertexShader does.
+typedef struct {
+    DeviceUint bindVertex;  // first DeviceSkinVertex
+    DeviceUint posedVertex; // first in the vertex arrays
+    DeviceUint count;
+    DeviceUint boneBase;   // the object's first matrix
+    DeviceUint weightBase; // its first morph weight; NO_WEIGHTS if all are 0
+} DeviceVertexBlock;
 
 // A node to refit, and the first node of its tree, which its children count from.
 typedef struct {
@@ -187,7 +215,10 @@ static_assert(sizeof(DeviceTexture) == 16);
 static_assert(sizeof(DeviceLight) == 80);
 static_assert(sizeof(DeviceView) == 76);
 static_assert(sizeof(DeviceShading) == 36);
-static_assert(sizeof(DeviceInfluence) == 8);
+static_assert(sizeof(DeviceSkinVertex) == 32);
+static_assert(sizeof(DeviceInfluenceQuad) == 32);
+static_assert(sizeof(DeviceMorphOffset) == 32);
+static_assert(sizeof(DeviceVertexBlock) == 20);
 static_assert(sizeof(DeviceRefitEntry) == 8);
 } // namespace prizma
 #endif

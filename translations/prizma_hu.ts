@@ -81,6 +81,126 @@ sudo apt install pocl-opencl-icd</translation>
         </message>
     </context>
     <context>
+        <name>prizma::AnimationExportDialog</name>
+        <message>
+            <source>Render frames &amp;again that are there already</source>
+            <translation>A már meglévő képkockák újra&amp;számolása</translation>
+        </message>
+        <message>
+            <source>&amp;Keep the pictures that the video is made of</source>
+            <translation>A videó képei is &amp;maradjanak meg</translation>
+        </message>
+        <message>
+            <source>Export Animation</source>
+            <translation>Animáció mentése</translation>
+        </message>
+        <message>
+            <source>&amp;Format:</source>
+            <translation>&amp;Formátum:</translation>
+        </message>
+        <message>
+            <source>F&amp;rames:</source>
+            <translation>&amp;Képkockák:</translation>
+        </message>
+        <message>
+            <source>to</source>
+            <translation>–</translation>
+        </message>
+        <message>
+            <source>Si&amp;ze:</source>
+            <translation>Mé&amp;ret:</translation>
+        </message>
+        <message>
+            <source>&amp;Samples a pixel:</source>
+            <translation>Minták képponton&amp;ként:</translation>
+        </message>
+        <message>
+            <source>&amp;Output:</source>
+            <translation>&amp;Hová:</translation>
+        </message>
+        <message>
+            <source>&amp;Export</source>
+            <translation>M&amp;entés</translation>
+        </message>
+        <message>
+            <source>PNG pictures</source>
+            <translation>PNG képek</translation>
+        </message>
+        <message>
+            <source>OpenEXR pictures (linear, 32 bits)</source>
+            <translation>OpenEXR képek (lineáris, 32 bites)</translation>
+        </message>
+        <message>
+            <source>MP4 video (H.264)</source>
+            <translation>MP4 videó (H.264)</translation>
+        </message>
+        <message>
+            <source>WebM video (VP9)</source>
+            <translation>WebM videó (VP9)</translation>
+        </message>
+        <message>
+            <source>Needs the program ffmpeg (on Debian: sudo apt install ffmpeg)</source>
+            <translation>Az ffmpeg program kell hozzá (Debianon: sudo apt install ffmpeg)</translation>
+        </message>
+        <message>
+            <source>A run of # stands for the number of the frame</source>
+            <translation>A # jelek helyére a képkocka száma kerül</translation>
+        </message>
+        <message>
+            <source>Choose the folder and the name</source>
+            <translation>A mappa és a név kiválasztása</translation>
+        </message>
+        <message>
+            <source>Export the Animation</source>
+            <translation>Animáció mentése</translation>
+        </message>
+        <message>
+            <source>This cannot be exported: %1.</source>
+            <translation>Ez nem menthető: %1.</translation>
+        </message>
+        <message>
+            <source>%1 of %2 frames are there already and stay as they are.</source>
+            <translation>%2 képkockából %1 már megvan, és úgy marad.</translation>
+        </message>
+        <message>
+            <source>One frame will be rendered.</source>
+            <translation>Egy képkocka készül.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n frames will be rendered.</source>
+            <translation>
+                <numerusform>%n képkocka készül.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>prizma::AnimationExporter</name>
+        <message>
+            <source>Exporting %1…</source>
+            <translation>%1 mentése…</translation>
+        </message>
+        <message>
+            <source>The export was cancelled. The frames that are done stay: to go on, export again.</source>
+            <translation>A mentés megszakadt. A kész képkockák megmaradnak: a folytatáshoz indítsd újra a mentést.</translation>
+        </message>
+        <message>
+            <source>Exported one frame.</source>
+            <translation>Egy képkocka elmentve.</translation>
+        </message>
+        <message numerus="yes">
+            <source>Exported %n frames.</source>
+            <translation>
+                <numerusform>%n képkocka elmentve.</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n of them had been rendered before.</source>
+            <translation>
+                <numerusform>Közülük %n már korábban elkészült.</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
         <name>prizma::BadgeDelegate</name>
         <message>
             <source>Dynamic</source>
@@ -89,6 +209,45 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>Static</source>
             <translation>Statikus</translation>
+        </message>
+    </context>
+    <context>
+        <name>prizma::ClipList</name>
+        <message>
+            <source>%1: %2 s%3</source>
+            <translation>%1: %2 s%3</translation>
+        </message>
+        <message>
+            <source>, loops</source>
+            <translation>, ismétlődik</translation>
+        </message>
+        <message>
+            <source>No clips. Import a model that has animations, or select it.</source>
+            <translation>Nincs mozgás. Importálj vagy jelölj ki egy modellt, amelynek van.</translation>
+        </message>
+        <message>
+            <source>Clips</source>
+            <translation>Mozgások</translation>
+        </message>
+        <message>
+            <source>Bind pose</source>
+            <translation>Alapállás</translation>
+        </message>
+        <message>
+            <source>Clips of %1</source>
+            <translation>%1 mozgásai</translation>
+        </message>
+        <message>
+            <source>Frames a second</source>
+            <translation>Képkocka másodpercenként</translation>
+        </message>
+        <message>
+            <source>Frames</source>
+            <translation>Kocka</translation>
+        </message>
+        <message>
+            <source>1/s</source>
+            <translation>1/s</translation>
         </message>
     </context>
     <context>
@@ -273,6 +432,14 @@ sudo apt install pocl-opencl-icd</translation>
             <translation>Modell importálása</translation>
         </message>
         <message>
+            <source>Change clip of %1</source>
+            <translation>%1 mozgásának módosítása</translation>
+        </message>
+        <message>
+            <source>Fit timeline to %1</source>
+            <translation>Idővonal igazítása: %1</translation>
+        </message>
+        <message>
             <source>Import models</source>
             <translation>Modellek importálása</translation>
         </message>
@@ -334,6 +501,60 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>&amp;Material</source>
             <translation>An&amp;yag</translation>
+        </message>
+    </context>
+    <context>
+        <name>prizma::ExportActions</name>
+        <message>
+            <source>Export Ani&amp;mation…</source>
+            <translation>&amp;Animáció mentése…</translation>
+        </message>
+        <message>
+            <source>Render the frames of the timeline into pictures or a video</source>
+            <translation>Az idővonal képkockái képekbe vagy videóba</translation>
+        </message>
+    </context>
+    <context>
+        <name>prizma::ExportProgressDialog</name>
+        <message>
+            <source>Exporting %1</source>
+            <translation>%1 mentése</translation>
+        </message>
+        <message>
+            <source>&amp;Hide</source>
+            <translation>El&amp;rejtés</translation>
+        </message>
+        <message>
+            <source>The export goes on; its menu command shows this again</source>
+            <translation>A mentés folytatódik; a menüparancsa ismét megmutatja ezt</translation>
+        </message>
+        <message>
+            <source>Making the video</source>
+            <translation>Készül a videó</translation>
+        </message>
+        <message>
+            <source>Frame %1 of %2</source>
+            <translation>%1. képkocka a(z) %2 közül</translation>
+        </message>
+        <message>
+            <source>Starting…</source>
+            <translation>Indul…</translation>
+        </message>
+        <message>
+            <source>About a second left</source>
+            <translation>Még körülbelül egy másodperc</translation>
+        </message>
+        <message numerus="yes">
+            <source>About %n seconds left</source>
+            <translation>
+                <numerusform>Még körülbelül %n másodperc</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>About %n minutes left</source>
+            <translation>
+                <numerusform>Még körülbelül %n perc</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -444,7 +665,7 @@ sudo apt install pocl-opencl-icd</translation>
         </message>
         <message>
             <source>Give the selected object the clips of animation files</source>
-            <translation>A kijelölt tárgy megkapja animációs fájlok klipjeit</translation>
+            <translation>A kijelölt tárgy megkapja animációs fájlok mozgásait</translation>
         </message>
         <message>
             <source>Animations (%1)</source>
@@ -654,12 +875,20 @@ sudo apt install pocl-opencl-icd</translation>
             <translation> – %1 FPS</translation>
         </message>
         <message>
+            <source>Timeline</source>
+            <translation>Idővonal</translation>
+        </message>
+        <message>
+            <source>&amp;Playback</source>
+            <translation>&amp;Lejátszás</translation>
+        </message>
+        <message>
             <source>%1 has a new clip</source>
-            <translation>%1 új klipet kapott</translation>
+            <translation>%1 új mozgást kapott</translation>
         </message>
         <message>
             <source>%1 has %2 new clips</source>
-            <translation>%1 %2 új klipet kapott</translation>
+            <translation>%1 %2 új mozgást kapott</translation>
         </message>
     </context>
     <context>
@@ -679,6 +908,81 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>Assign a new material</source>
             <translation>Új anyag hozzárendelése</translation>
+        </message>
+    </context>
+    <context>
+        <name>prizma::PlaybackActions</name>
+        <message>
+            <source>&amp;Play</source>
+            <translation>&amp;Lejátszás</translation>
+        </message>
+        <message>
+            <source>Play the timeline, or pause it</source>
+            <translation>Az idővonal lejátszása vagy szüneteltetése</translation>
+        </message>
+        <message>
+            <source>Play &amp;Backwards</source>
+            <translation>Lejátszás &amp;visszafelé</translation>
+        </message>
+        <message>
+            <source>Play the timeline the other way, or pause it</source>
+            <translation>Az idővonal lejátszása visszafelé, vagy szünet</translation>
+        </message>
+        <message>
+            <source>&amp;Stop</source>
+            <translation>&amp;Megállítás</translation>
+        </message>
+        <message>
+            <source>Pause, and go back to the start</source>
+            <translation>Szünet, és vissza az elejére</translation>
+        </message>
+        <message>
+            <source>P&amp;revious Frame</source>
+            <translation>&amp;Előző képkocka</translation>
+        </message>
+        <message>
+            <source>Go back a frame</source>
+            <translation>Egy képkockával vissza</translation>
+        </message>
+        <message>
+            <source>&amp;Next Frame</source>
+            <translation>&amp;Következő képkocka</translation>
+        </message>
+        <message>
+            <source>Go on a frame</source>
+            <translation>Egy képkockával tovább</translation>
+        </message>
+        <message>
+            <source>&amp;First Frame</source>
+            <translation>E&amp;lső képkocka</translation>
+        </message>
+        <message>
+            <source>Go to the start of the timeline</source>
+            <translation>Az idővonal elejére</translation>
+        </message>
+        <message>
+            <source>&amp;Last Frame</source>
+            <translation>&amp;Utolsó képkocka</translation>
+        </message>
+        <message>
+            <source>Go to the end of the timeline</source>
+            <translation>Az idővonal végére</translation>
+        </message>
+        <message>
+            <source>L&amp;oop</source>
+            <translation>&amp;Ismétlés</translation>
+        </message>
+        <message>
+            <source>On&amp;ce</source>
+            <translation>E&amp;gyszer</translation>
+        </message>
+        <message>
+            <source>Back and For&amp;th</source>
+            <translation>&amp;Oda-vissza</translation>
+        </message>
+        <message>
+            <source>&amp;Pause</source>
+            <translation>&amp;Szünet</translation>
         </message>
     </context>
     <context>
@@ -744,6 +1048,25 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>Back to the default</source>
             <translation>Vissza az alapértékre</translation>
+        </message>
+    </context>
+    <context>
+        <name>prizma::RangeBar</name>
+        <message>
+            <source>Start</source>
+            <translation>Kezdet</translation>
+        </message>
+        <message>
+            <source>Frames a second</source>
+            <translation>Képkocka/s</translation>
+        </message>
+        <message>
+            <source>End</source>
+            <translation>Vég</translation>
+        </message>
+        <message>
+            <source>Make start, end and frame rate those of the clip</source>
+            <translation>A kezdet, a vég és a sebesség legyen a mozgásé</translation>
         </message>
     </context>
     <context>
@@ -921,6 +1244,69 @@ sudo apt install pocl-opencl-icd</translation>
             <source>In the panels</source>
             <translation>A paneleken</translation>
         </message>
+        <message>
+            <source>Move in time</source>
+            <translation>Ugrás az időben</translation>
+        </message>
+        <message>
+            <source>Left drag on the ruler</source>
+            <translation>Húzás a vonalzón</translation>
+        </message>
+        <message>
+            <source>… also between frames</source>
+            <translation>… képkockák között is</translation>
+        </message>
+        <message>
+            <source>Shift while dragging</source>
+            <translation>Shift húzás közben</translation>
+        </message>
+        <message>
+            <source>Zoom and move the ruler</source>
+            <translation>A vonalzó nagyítása és eltolása</translation>
+        </message>
+        <message>
+            <source>Wheel, middle drag</source>
+            <translation>Görgő, húzás a középső gombbal</translation>
+        </message>
+        <message>
+            <source>Show the whole ruler</source>
+            <translation>A teljes vonalzó</translation>
+        </message>
+        <message>
+            <source>Double click</source>
+            <translation>Dupla kattintás</translation>
+        </message>
+        <message>
+            <source>See what a clip looks like</source>
+            <translation>Mozgás megtekintése</translation>
+        </message>
+        <message>
+            <source>Point at it, Up, Down</source>
+            <translation>Rámutatás, Fel, Le</translation>
+        </message>
+        <message>
+            <source>Choose a clip</source>
+            <translation>Mozgás kiválasztása</translation>
+        </message>
+        <message>
+            <source>Click, Return</source>
+            <translation>Kattintás, Enter</translation>
+        </message>
+        <message>
+            <source>Fit the timeline to a clip</source>
+            <translation>Az idővonal igazítása a mozgáshoz</translation>
+        </message>
+        <message>
+            <source>In the timeline</source>
+            <translation>Az idővonalon</translation>
+        </message>
+    </context>
+    <context>
+        <name>prizma::SkeletonOverlay</name>
+        <message>
+            <source>Skeletons</source>
+            <translation>Csontvázak</translation>
+        </message>
     </context>
     <context>
         <name>prizma::StatisticsOverlay</name>
@@ -1030,6 +1416,48 @@ sudo apt install pocl-opencl-icd</translation>
         </message>
     </context>
     <context>
+        <name>prizma::TimelineRuler</name>
+        <message>
+            <source>Timeline</source>
+            <translation>Idővonal</translation>
+        </message>
+        <message>
+            <source>Drag to move in time; turn the wheel to zoom, double-click to see all</source>
+            <translation>Húzással mozogsz az időben; a görgő nagyít, dupla kattintásra minden látszik</translation>
+        </message>
+    </context>
+    <context>
+        <name>prizma::TransportBar</name>
+        <message>
+            <source>What comes after the last frame</source>
+            <translation>Mi jön az utolsó képkocka után</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Sebesség</translation>
+        </message>
+        <message>
+            <source>1 is real time; below 0 it plays backwards</source>
+            <translation>1: valós idő; 0 alatt visszafelé játszik</translation>
+        </message>
+        <message>
+            <source>Frame</source>
+            <translation>Kocka</translation>
+        </message>
+        <message>
+            <source>The frame that is shown</source>
+            <translation>A látható képkocka</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Idő</translation>
+        </message>
+        <message>
+            <source>Where that is in seconds</source>
+            <translation>Ugyanez másodpercben</translation>
+        </message>
+    </context>
+    <context>
         <name>prizma::UnsavedChanges</name>
         <message>
             <source>Unsaved Changes</source>
@@ -1118,6 +1546,14 @@ sudo apt install pocl-opencl-icd</translation>
             <source>Show samples, depth and exposure in the property panel</source>
             <translation>Minták, mélység, expozíció a tulajdonságok közt</translation>
         </message>
+        <message>
+            <source>S&amp;keletons</source>
+            <translation>&amp;Csontvázak</translation>
+        </message>
+        <message>
+            <source>Show the bones of what is selected, or of everything, over the view</source>
+            <translation>A kijelöltek vagy minden csontjai a képen</translation>
+        </message>
     </context>
     <context>
         <name>prizma::Viewport</name>
@@ -1202,6 +1638,78 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>The animation that plays; empty for the bind pose.</source>
             <translation>A lejátszott mozgás; üresen az alapállás.</translation>
+        </message>
+        <message>
+            <source>As the clip says</source>
+            <translation>Ahogy a mozgás előírja</translation>
+        </message>
+        <message>
+            <source>Loop</source>
+            <translation>Ismétlés</translation>
+        </message>
+        <message>
+            <source>Once</source>
+            <translation>Egyszer</translation>
+        </message>
+        <message>
+            <source>Back and forth</source>
+            <translation>Oda-vissza</translation>
+        </message>
+        <message>
+            <source>Clip offset</source>
+            <translation>Mozgás eltolása</translation>
+        </message>
+        <message>
+            <source>How far into the clip the timeline's beginning is.</source>
+            <translation>Hol tart a mozgás, amikor az idővonal az elején áll.</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Sebesség</translation>
+        </message>
+        <message>
+            <source>1 is the clip's own speed, 0 stands still, below 0 runs backwards.</source>
+            <translation>1 a mozgás saját sebessége, 0 áll, 0 alatt visszafelé halad.</translation>
+        </message>
+        <message>
+            <source>What the clip does after its end.</source>
+            <translation>Mi történik, amikor a mozgás a végére ér.</translation>
+        </message>
+        <message>
+            <source>Clip's frame rate</source>
+            <translation>A mozgás képsebessége</translation>
+        </message>
+        <message>
+            <source>Frames of the clip a second; 0 is the clip's own rate.</source>
+            <translation>A mozgás képkockái másodpercenként; 0: a mozgás sajátja.</translation>
+        </message>
+        <message>
+            <source>Fade</source>
+            <translation>Átmenet</translation>
+        </message>
+        <message>
+            <source>How long it takes to go over to the clip; 0 for no fade.</source>
+            <translation>Mennyi ideig tart az átmenet a mozgásba; 0: nincs átmenet.</translation>
+        </message>
+        <message>
+            <source>Fade starts</source>
+            <translation>Átmenet kezdete</translation>
+        </message>
+        <message>
+            <source>When on the timeline the fade begins.</source>
+            <translation>Mikor kezdődik az átmenet az idővonalon.</translation>
+        </message>
+        <message>
+            <source>Fade from</source>
+            <translation>Átmenet ebből</translation>
+        </message>
+        <message>
+            <source>The clip that plays before; empty for the bind pose.</source>
+            <translation>Az előtte lejátszott mozgás; üresen az alapállás.</translation>
+        </message>
+        <message>
+            <source>How far the shape is blended in; 1 is all of it.</source>
+            <translation>Mennyire érvényesül az alak; 1: teljesen.</translation>
         </message>
         <message>
             <source>What the light is called in the scene tree.</source>
@@ -1574,6 +2082,18 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>stops</source>
             <translation>fényérték</translation>
+        </message>
+        <message>
+            <source>the last frame comes before the first</source>
+            <translation>az utolsó képkocka az első előtt van</translation>
+        </message>
+        <message>
+            <source>several frames need #### in the pictures' name</source>
+            <translation>több képkockához #### kell a képek nevébe</translation>
+        </message>
+        <message>
+            <source>ffmpeg, which makes the videos, is not installed</source>
+            <translation>nincs telepítve az ffmpeg, amely a videókat készíti</translation>
         </message>
     </context>
 </TS>

@@ -1,3 +1,4 @@
+#include "app/render/bench_animation.h"
 #include "app/render/command.h"
 #include "app/render/load_scene.h"
 #include "core/bench/build_bench.h"
@@ -328,6 +329,7 @@ void addBenchCommand(CLI::App& app) {
     addTraceCommand(*command);
     addBuildCommand(*command);
     addRefitCommand(*command);
+    addAnimationBenches(*command);
     addGrowthCommand(*command);
 }
 

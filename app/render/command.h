@@ -9,6 +9,7 @@ namespace prizma {
 void addDevicesCommand(CLI::App& app);
 void addInfoCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
+void addPoseCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 
 } // namespace prizma

@@ -1,5 +1,6 @@
 #include "app/render/command.h"
 #include "app/render/load_scene.h"
+#include "core/animation/posed_bounds.h"
 
 #include <nlohmann/json.hpp>
 

@@ -7,6 +7,7 @@ int main(int argc, char** argv) {
     prizma::addDevicesCommand(app);
     prizma::addInfoCommand(app);
     prizma::addRenderCommand(app);
+    prizma::addPoseCommand(app);
     prizma::addBenchCommand(app);
     CLI11_PARSE(app, argc, argv);
     return 0;

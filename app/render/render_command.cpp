@@ -1,8 +1,9 @@
 #include "app/render/command.h"
 
 #include "app/render/load_scene.h"
-#include "core/import/image_loader.h"
-#include "core/render/offline_render.h"
+#include "core/import/file_finder.h"
+#include "core/render/picture_sequence.h"
+#include "core/render/video_encoder.h"
 #include "core/scene/properties.h"
 
 #include <fmt/format.h>
@@ -12,7 +13,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 #include <memory>
 
 namespace prizma {
@@ -26,7 +26,8 @@ struct RenderArguments {
     bool hasFrame = false;
     std::string frames;
     std::vector<std::string> assignments;
-    bool statistics = false, json = false;
+    std::string video;
+    bool overwrite = false, statistics = false, json = false;
 };
 
 /// "3-17" as first and last frame.
@@ -37,22 +38,6 @@ Result<std::pair<int, int>> parseFrames(const std::string& text) {
     if (std::sscanf(text.c_str(), "%d-%d%c", &first, &last, &rest) != 2 || last < first)
         return failure("--frames wants FIRST-LAST, for example 0-24, not \"" + text + "\"");
     return std::pair(first, last);
-}
-
-/// The output's name for one frame: a run of # becomes the frame's number with as many digits.
-std::string numbered(const std::string& output, int frame) {
-    const auto first = output.find('#');
-    const auto last = output.find_last_of('#');
-    if (first == std::string::npos)
-        return output;
-    const auto width = static_cast<int>(last - first + 1);
-    return output.substr(0, first) + fmt::format("{:0{}}", frame, width) + output.substr(last + 1);
-}
-
-Result<void> savePicture(const OfflinePicture& picture, const std::string& file) {
-    if (std::filesystem::path(file).extension() == ".exr")
-        return saveExr(file, picture.width, picture.height, picture.radiance);
-    return savePng(file, picture.width, picture.height, picture.display);
 }
 
 nlohmann::ordered_json toJson(const OfflinePicture& p, const std::string& device, const std::string& file) {
@@ -105,24 +90,72 @@ Result<Scene> prepareScene(const RenderArguments& arguments) {
     return scene;
 }
 
-void renderOne(Renderer& renderer, const Scene& scene, const RenderArguments& arguments,
-               const std::string& output, double compileMilliseconds) {
+void report(const OfflinePicture& picture, const RenderArguments& arguments, const std::string& device,
+            const std::string& file) {
+    if (arguments.json)
+        fmt::print("{}\n", toJson(picture, device, file).dump(2));
+    else if (arguments.statistics)
+        printStatistics(picture, device);
+}
+
+void renderPicture(Renderer& renderer, const Scene& scene, const RenderArguments& arguments,
+                   double compileMilliseconds) {
     auto picture = renderOffline(renderer, scene, arguments.options);
     if (!picture)
         fail(picture.error());
     picture->times.compile += compileMilliseconds;
     picture->times.total += compileMilliseconds;
-    if (auto ok = savePicture(*picture, output); !ok)
+    if (auto ok = savePicture(*picture, arguments.output); !ok)
         fail(ok.error());
-    if (arguments.json)
-        fmt::print("{}\n", toJson(*picture, renderer.device().name, output).dump(2));
-    else if (arguments.statistics)
-        printStatistics(*picture, renderer.device().name);
+    report(*picture, arguments, renderer.device().name, arguments.output);
+}
+
+void makeVideo(const SequenceOptions& frames, const RenderArguments& arguments, double fps) {
+    VideoOptions options;
+    for (int frame = frames.first; frame <= frames.last; ++frame)
+        options.pictures.push_back(frameFile(frames.output, frame));
+    options.fps = fps;
+    options.output = arguments.video;
+    Progress progress;
+    if (auto ok = encodeVideo(options, progress); !ok)
+        fail(ok.error());
+}
+
+/// What can be known to be wrong before hours of rendering.
+std::string findVideoFault(const SequenceOptions& frames, const RenderArguments& arguments, double fps) {
+    if (arguments.video.empty())
+        return {};
+    return findFault(VideoOptions{{frameFile(frames.output, frames.first)}, fps, arguments.video});
+}
+
+void renderFrames(Renderer& renderer, const Scene& scene, const RenderArguments& arguments) {
+    const auto range = parseFrames(arguments.frames);
+    if (!range)
+        fail(range.error());
+    SequenceOptions options{arguments.options, range->first, range->second, arguments.output,
+                            arguments.overwrite};
+    const double fps = scene.timeline.fps;
+    if (const std::string fault = findVideoFault(options, arguments, fps); !fault.empty())
+        fail({Severity::Error, fault, arguments.video, 0});
+    if (!arguments.video.empty() && !isVideoEncoderInstalled()) // not after hours of rendering
+        fail(missingVideoEncoder());
+    const int count = options.last - options.first + 1;
+    Progress progress;
+    const auto summary = renderSequence(renderer, scene, options, progress, [&](const SequenceFrame& done) {
+        if (done.picture)
+            report(*done.picture, arguments, renderer.device().name, done.file);
+        fmt::print(stderr, "{} of {}: {}{}\n", done.frame - options.first + 1, count, done.file,
+                   done.picture ? "" : " is there already");
+    });
+    if (!summary)
+        fail(summary.error());
+    if (!arguments.video.empty())
+        makeVideo(options, arguments, fps);
 }
 
 void run(const RenderArguments& arguments) {
-    auto extension = std::filesystem::path(arguments.output).extension().string();
-    if (extension != ".png" && extension != ".exr")
+    const std::string extension = lowerExtension(arguments.output);
+    if (extension != "png" && extension != "exr")
         fail({Severity::Error, "the output must end in .png or .exr", arguments.output, 0});
     auto scene = prepareScene(arguments);
     if (!scene)
@@ -135,20 +168,10 @@ void run(const RenderArguments& arguments) {
         fail(renderer.error());
     const double compile =
         std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    if (arguments.frames.empty()) {
-        renderOne(**renderer, *scene, arguments, arguments.output, compile);
-        return;
-    }
-    const auto range = parseFrames(arguments.frames);
-    if (!range)
-        fail(range.error());
-    if (range->first != range->second && arguments.output.find('#') == std::string::npos)
-        fail({Severity::Error, "several frames need #### in the output's name", arguments.output, 0});
-    for (int frame = range->first; frame <= range->second; ++frame) {
-        scene->timeline.frame = frame;
-        renderOne(**renderer, *scene, arguments, numbered(arguments.output, frame),
-                  frame == range->first ? compile : 0.0);
-    }
+    if (arguments.frames.empty())
+        renderPicture(**renderer, *scene, arguments, compile);
+    else
+        renderFrames(**renderer, *scene, arguments);
 }
 
 } // namespace
@@ -173,9 +196,16 @@ void addRenderCommand(CLI::App& app) {
     command->add_option("--max-error", a->options.maxError, "Stop at this estimated error (relMSE)")
         ->check(CLI::PositiveNumber);
     CLI::Option* frame = command->add_option("--frame", a->frame, "Frame of the timeline");
-    command
-        ->add_option("--frames", a->frames, "Frames FIRST-LAST; #### in the output's name becomes the number")
-        ->excludes(frame);
+    CLI::Option* frames =
+        command
+            ->add_option(
+                "--frames", a->frames,
+                "Frames FIRST-LAST; #### in the output's name becomes the number. Frames whose file is "
+                "there are left out")
+            ->excludes(frame);
+    command->add_flag("--overwrite", a->overwrite, "Render frames whose file is there, too")->needs(frames);
+    command->add_option("--video", a->video, "Then make a video of the frames with ffmpeg: .mp4 or .webm")
+        ->needs(frames);
     command->add_option("--shader", a->shader, "whitted, normals, texcoords, depth or cost");
     command->add_option("--device", a->device, "OpenCL device, as \"devices\" lists it");
     command->add_option("--up", a->upAxis, "Up axis of a bare model; without: what is usual for the format")

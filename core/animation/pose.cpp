@@ -1,6 +1,6 @@
 #include "core/animation/pose.h"
 
-#include <glm/gtc/matrix_transform.hpp>
+#include "core/animation/clip_time.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,13 @@
 namespace prizma {
 namespace {
 
+/// Scale, then rotate, then translate.
 glm::mat4 matrixOf(const BonePose& bone) {
-    return glm::translate(glm::mat4(1.0f), bone.translation) * glm::mat4_cast(glm::normalize(bone.rotation)) *
-           glm::scale(glm::mat4(1.0f), bone.scale);
+    glm::mat4 matrix = glm::mat4_cast(glm::normalize(bone.rotation));
+    for (int axis = 0; axis < 3; ++axis)
+        matrix[axis] *= bone.scale[axis];
+    matrix[3] = glm::vec4(bone.translation, 1.0f);
+    return matrix;
 }
 
 BonePose blend(const BonePose& a, const BonePose& b, float share) {
@@ -18,23 +22,14 @@ BonePose blend(const BonePose& a, const BonePose& b, float share) {
             glm::mix(a.scale, b.scale, share)};
 }
 
-/// Two keys and how far it is from the first to the second.
-struct KeyPair {
-    std::size_t from = 0, to = 0;
-    float share = 0.0f;
-};
-
-KeyPair keysAt(std::size_t count, bool loops, double frame) {
-    if (count < 2 || !std::isfinite(frame))
-        return {};
-    const auto last = static_cast<double>(count - 1);
-    if (!loops)
-        frame = std::clamp(frame, 0.0, last);
-    else
-        frame -= std::floor(frame / static_cast<double>(count)) * static_cast<double>(count);
-    const auto from = std::min(static_cast<std::size_t>(frame), count - 1);
-    const std::size_t to = from + 1 < count ? from + 1 : (loops ? 0 : from);
-    return {from, to, static_cast<float>(frame - static_cast<double>(from))};
+/// Of one bone, between the two keys about `frame`. Short tracks hold their last key.
+BonePose keyAt(const BoneTrack& track, double frame, std::size_t keys) {
+    const auto last = track.frames.size() - 1;
+    const auto from = static_cast<std::size_t>(frame);
+    const auto to = from + 1 < keys ? from + 1 : 0;
+    const auto share = static_cast<float>(frame - static_cast<double>(from));
+    const BonePose& first = track.frames[std::min(from, last)];
+    return share > 0.0f ? blend(first, track.frames[std::min(to, last)], share) : first;
 }
 
 } // namespace
@@ -47,29 +42,48 @@ Pose bindPose(const Skeleton& skeleton) {
     return pose;
 }
 
-Pose evaluateClip(const Skeleton& skeleton, const Clip& clip, double seconds) {
+Pose poseAtFrame(const Skeleton& skeleton, const Clip& clip, double frame) {
     Pose pose = bindPose(skeleton);
+    const auto keys = static_cast<std::size_t>(keyCount(clip));
+    const double inside = frame > 0.0 ? std::min(frame, static_cast<double>(keys)) : 0.0;
     for (const BoneTrack& track : clip.tracks) {
         const auto bone = static_cast<std::size_t>(track.bone);
-        if (track.bone < 0 || bone >= pose.size() || track.frames.empty())
-            continue;
-        const KeyPair keys = keysAt(track.frames.size(), clip.loops, seconds * clip.fps);
-        pose[bone] = blend(track.frames[keys.from], track.frames[keys.to], keys.share);
+        if (track.bone >= 0 && bone < pose.size() && !track.frames.empty())
+            pose[bone] = keyAt(track, inside, keys);
     }
     return pose;
 }
 
-std::vector<glm::mat4> skinningMatrices(const Skeleton& skeleton, const Pose& pose) {
+Pose blend(const Pose& a, const Pose& b, double share) {
+    Pose pose(std::min(a.size(), b.size()));
+    for (std::size_t i = 0; i < pose.size(); ++i)
+        pose[i] = blend(a[i], b[i], static_cast<float>(share));
+    return pose;
+}
+
+Pose evaluatePose(const Skeleton& skeleton, const PoseKey& key) {
+    const auto at = [&](const ClipMoment& moment) {
+        return moment.clip ? poseAtFrame(skeleton, *moment.clip, moment.frame) : bindPose(skeleton);
+    };
+    return key.share < 1.0 ? blend(at(key.before), at(key.now), key.share) : at(key.now);
+}
+
+std::vector<glm::mat4> boneToObject(const Skeleton& skeleton, const Pose& pose) {
     std::vector<glm::mat4> toObject(pose.size());
-    std::vector<glm::mat4> skinning(pose.size());
     for (std::size_t i = 0; i < pose.size(); ++i) {
         const int parent = skeleton.bones[i].parent;
         toObject[i] = matrixOf(pose[i]);
         if (parent >= 0)
             toObject[i] = toObject[static_cast<std::size_t>(parent)] * toObject[i];
-        skinning[i] = toObject[i] * skeleton.bones[i].inverseBind;
     }
-    return skinning;
+    return toObject;
+}
+
+std::vector<glm::mat4> skinningMatrices(const Skeleton& skeleton, const Pose& pose) {
+    std::vector<glm::mat4> matrices = boneToObject(skeleton, pose);
+    for (std::size_t i = 0; i < matrices.size(); ++i)
+        matrices[i] = matrices[i] * skeleton.bones[i].inverseBind;
+    return matrices;
 }
 
 } // namespace prizma

@@ -1,11 +1,11 @@
 #pragma once
 
+#include "core/animation/pose_key.h"
 #include "core/scene/clip.h"
 #include "core/scene/skeleton.h"
 
 #include <glm/glm.hpp>
 
-#include <span>
 #include <vector>
 
 namespace prizma {
@@ -15,10 +15,18 @@ using Pose = std::vector<BonePose>;
 
 Pose bindPose(const Skeleton& skeleton);
 
-/// The pose `seconds` after the clip's start: slerp and lerp between its keys. A looping clip repeats without
-/// a pop (the last key blends into the first); another one holds its last key. Bones without a track keep the
-/// bind pose.
-Pose evaluateClip(const Skeleton& skeleton, const Clip& clip, double seconds);
+/// The pose at a frame in [0, keyCount), as `clipFrame` gives it: slerp (the short way) and lerp between its
+/// keys, from the last one to the first. Bones without a track keep the bind pose.
+Pose poseAtFrame(const Skeleton& skeleton, const Clip& clip, double frame);
+
+/// Bone by bone: slerp and lerp from `a` (share 0) to `b` (share 1).
+Pose blend(const Pose& a, const Pose& b, double share);
+
+/// The pose that `key` stands for.
+Pose evaluatePose(const Skeleton& skeleton, const PoseKey& key);
+
+/// For each bone, the matrix from bone space to object space: column 3 is where its joint is.
+std::vector<glm::mat4> boneToObject(const Skeleton& skeleton, const Pose& pose);
 
 /// For each bone, the matrix that takes a vertex from the bind pose to `pose`, both in object space: what the
 /// weighted sum of skinning is made of.

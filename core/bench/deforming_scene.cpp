@@ -165,11 +165,10 @@ MeshPtr frozenMesh(const Mesh& mesh, const std::vector<glm::mat4>& bones) {
 Scene frozen(const Scene& scene) {
     Scene result = scene;
     for (Object& object : result.objects.edit()) {
-        if (!isPosed(object))
+        if (!isPosed(object) || !object.mesh->isSkinned())
             continue;
         const Skeleton& skeleton = *object.mesh->skeleton;
-        const Clip* clip = playingClip(object);
-        const Pose pose = clip ? evaluateClip(skeleton, *clip, scene.timeline.seconds()) : bindPose(skeleton);
+        const Pose pose = evaluatePose(skeleton, poseKeyOf(object, scene.timeline.seconds()));
         object.mesh = frozenMesh(*object.mesh, skinningMatrices(skeleton, pose));
         object.dynamic = false;
     }

@@ -1,5 +1,7 @@
 #include "core/bench/ray_sets.h"
 
+#include "core/animation/posed_bounds.h"
+
 #include <tbb/parallel_for.h>
 
 #include <cmath>

@@ -1,25 +1,8 @@
 #include "core/render/device_scene.h"
 
-#include "core/animation/pose.h"
-
 #include <algorithm>
 
 namespace prizma {
-namespace {
-
-constexpr std::size_t geometryGroupSize = 64;
-
-std::vector<float> boneRows(const std::vector<glm::mat4>& matrices) {
-    std::vector<float> rows;
-    rows.reserve(matrices.size() * 12);
-    for (const glm::mat4& m : matrices)
-        for (int row = 0; row < 3; ++row)
-            for (int column = 0; column < 4; ++column)
-                rows.push_back(m[column][row]);
-    return rows;
-}
-
-} // namespace
 
 Result<void> DeviceScene::run(const PlannedStage& stage, const Scene& scene, const glm::dvec3& anchor,
                               TreeStore& trees, DeviceState& state) {
@@ -35,9 +18,9 @@ Result<void> DeviceScene::run(const PlannedStage& stage, const Scene& scene, con
     case Stage::NewTrees:
         return replaceTrees(stage, trees, state);
     case Stage::Poses:
-        return pose(stage, scene, state);
+        return poser_.pose(context_, scene, stage.objects, state.poses);
     case Stage::VertexShader:
-        return shadeVertices(stage);
+        return poser_.shadeVertices(context_, kernels_, geometry_);
     case Stage::TriangleShader:
         return refitter_.shadeTriangles(context_, kernels_, geometry_, stage.objects);
     case Stage::RefitTreeShader:
@@ -82,7 +65,6 @@ double DeviceScene::treeWear() const {
 
 void DeviceScene::removeAllBut(const std::set<Id>& objects) {
     geometry_.removeAllBut(objects);
-    std::erase_if(bones_, [&](const auto& entry) { return !objects.contains(entry.first); });
 }
 
 Result<void> DeviceScene::ensure() {
@@ -101,6 +83,10 @@ Result<std::vector<glm::vec3>> DeviceScene::posedPositions(Id object) const {
     return geometry_.readPosedPositions(context_, object);
 }
 
+Result<ObjectVertices> DeviceScene::vertices(Id object) const {
+    return geometry_.readVertices(context_, object);
+}
+
 Result<void> DeviceScene::uploadGeometry(const PlannedStage& stage, const Scene& scene, TreeStore& trees,
                                          DeviceState& state) {
     for (const Id id : stage.objects) {
@@ -112,34 +98,6 @@ Result<void> DeviceScene::uploadGeometry(const PlannedStage& stage, const Scene&
             return ok;
         state.resident.insert(id);
         state.poses.erase(id);
-    }
-    return {};
-}
-
-Result<void> DeviceScene::pose(const PlannedStage& stage, const Scene& scene, DeviceState& state) {
-    for (const Id id : stage.objects) {
-        const Object& object = *scene.findObject(id);
-        const Skeleton& skeleton = *object.mesh->skeleton;
-        const Clip* clip = playingClip(object);
-        const Pose pose = clip ? evaluateClip(skeleton, *clip, scene.timeline.seconds()) : bindPose(skeleton);
-        if (auto ok = bones_[id].assign(context_, boneRows(skinningMatrices(skeleton, pose)), "pose"); !ok)
-            return ok;
-        state.poses[id] = poseKeyOf(object, scene.timeline);
-    }
-    return {};
-}
-
-Result<void> DeviceScene::shadeVertices(const PlannedStage& stage) {
-    for (const Id id : stage.objects) {
-        const ObjectPlace place = geometry_.placeOf(id);
-        const auto count = static_cast<std::uint32_t>(place.mesh->mesh->positions.size());
-        Kernel& kernel = kernels_.vertexShader;
-        kernel.setArguments(geometry_.positions(), geometry_.normals(), place.mesh->vertexBase,
-                            place.posed->vertexBase, count, geometry_.firstInfluences(),
-                            place.mesh->firstInfluenceBase, geometry_.influences(), place.mesh->influenceBase,
-                            bones_.at(id));
-        if (const auto launched = kernel.launch(context_, count, geometryGroupSize); !launched)
-            return std::unexpected(launched.error());
     }
     return {};
 }

@@ -5,6 +5,7 @@
 #include "core/render/instance_store.h"
 #include "core/render/kernel_set.h"
 #include "core/render/material_store.h"
+#include "core/render/mesh_poser.h"
 #include "core/render/render_plan.h"
 #include "core/render/tree_refitter.h"
 #include "core/render/worn_trees.h"
@@ -43,6 +44,9 @@ class DeviceScene {
     /// the object is not posed on the device.
     Result<std::vector<glm::vec3>> posedPositions(Id object) const;
 
+    /// Any object's vertices as they are on the device, in object space. Waits for it.
+    Result<ObjectVertices> vertices(Id object) const;
+
     /// PosedPlace::wear of the most worn tree; 1 if no object is posed.
     double treeWear() const;
 
@@ -52,8 +56,6 @@ class DeviceScene {
   private:
     Result<void> uploadGeometry(const PlannedStage& stage, const Scene& scene, TreeStore& trees,
                                 DeviceState& state);
-    Result<void> pose(const PlannedStage& stage, const Scene& scene, DeviceState& state);
-    Result<void> shadeVertices(const PlannedStage& stage);
     Result<void> refit(const PlannedStage& stage, TreeStore& trees);
     Result<void> replaceTrees(const PlannedStage& stage, TreeStore& trees, DeviceState& state);
 
@@ -63,7 +65,7 @@ class DeviceScene {
     GeometryStore geometry_;
     MaterialStore materials_;
     InstanceStore instances_;
-    std::map<Id, Buffer<float>> bones_; ///< Skinning matrices of the posed objects, 3x4 row by row.
+    MeshPoser poser_;
     TreeRefitter refitter_;
     WornTrees wornTrees_;
 };

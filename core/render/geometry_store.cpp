@@ -13,14 +13,6 @@ std::vector<DeviceTriangle> deviceTriangles(const Mesh& mesh) {
     return triangles;
 }
 
-std::vector<DeviceInfluence> deviceInfluences(const Mesh& mesh) {
-    std::vector<DeviceInfluence> influences;
-    influences.reserve(mesh.influences.size());
-    for (const BoneInfluence& influence : mesh.influences)
-        influences.push_back({influence.bone, influence.weight});
-    return influences;
-}
-
 std::span<const float> floats(const std::vector<glm::vec3>& list) {
     return {reinterpret_cast<const float*>(list.data()), list.size() * 3};
 }
@@ -81,12 +73,13 @@ Result<void> GeometryStore::uploadMesh(Context& context, MeshPlace& place) {
     steps.run(place.triangleBase, [&] { return triangles_.add(context, deviceTriangles(mesh)); });
     steps.run(place.nodeBase, [&] { return addNodes(context, *place.tree); });
     steps.run(place.leafBase, [&] { return addLeaves(context, *place.tree); });
-    if (mesh.isSkinned()) {
-        steps.run(place.firstInfluenceBase,
-                  [&] { return firstInfluences_.add(context, mesh.firstInfluence); });
-        steps.run(place.influenceBase, [&] { return influences_.add(context, deviceInfluences(mesh)); });
-    }
-    return steps.result();
+    if (auto ok = steps.result(); !ok || !mesh.canBePosed())
+        return ok;
+    const auto skin = skins_.add(context, mesh);
+    if (!skin)
+        return std::unexpected(skin.error());
+    place.skin = *skin;
+    return {};
 }
 
 Result<MeshPlace*> GeometryStore::addMesh(Context& context, const MeshPtr& mesh, const DeviceTreePtr& tree) {
@@ -233,10 +226,7 @@ void GeometryStore::releaseMesh(const MeshPlace& place) {
     releaseVertices(place.vertexBase, place.mesh->positions.size());
     releaseTree(place.nodeBase, nodeCount(*place.tree), place.leafBase, leafCount(*place.tree));
     triangles_.release(place.triangleBase, place.mesh->triangles.size());
-    if (place.mesh->isSkinned()) {
-        firstInfluences_.release(place.firstInfluenceBase, place.mesh->firstInfluence.size());
-        influences_.release(place.influenceBase, place.mesh->influences.size());
-    }
+    skins_.release(place.skin);
 }
 
 ObjectPlace GeometryStore::placeOf(Id object) const {
@@ -264,6 +254,24 @@ Result<std::vector<glm::vec3>> GeometryStore::readPosedPositions(Context& contex
     return vertices;
 }
 
+Result<ObjectVertices> GeometryStore::readVertices(Context& context, Id object) const {
+    const ObjectPlace place = placeOf(object);
+    if (!place.mesh)
+        return failure("The object is not on the device.");
+    const std::size_t first = 3 * (place.posed ? place.posed->vertexBase : place.mesh->vertexBase);
+    ObjectVertices vertices;
+    const auto read = [&](const Buffer<float>& from, std::vector<glm::vec3>& to) {
+        to.resize(place.mesh->mesh->positions.size());
+        const std::span<float> values(reinterpret_cast<float*>(to.data()), 3 * to.size());
+        return from.read(context, values, first, "vertices");
+    };
+    if (auto ok = read(positions(), vertices.positions); !ok)
+        return std::unexpected(ok.error());
+    if (auto ok = read(normals(), vertices.normals); !ok)
+        return std::unexpected(ok.error());
+    return vertices;
+}
+
 Result<void> GeometryStore::ensure(Context& context) {
     Result<void> ok;
     const auto ensureOne = [&](auto& arena) {
@@ -274,8 +282,7 @@ Result<void> GeometryStore::ensure(Context& context) {
     ensureOne(normals_);
     ensureOne(texCoords_);
     ensureOne(triangles_);
-    ensureOne(firstInfluences_);
-    ensureOne(influences_);
+    ensureOne(skins_);
     if (layout_ == TreeLayout::Wide8) {
         ensureOne(wideNodes_);
         ensureOne(wideLeaves_);

@@ -2,6 +2,7 @@
 
 #include "core/bvh/tree_store.h"
 #include "core/compute/arena.h"
+#include "core/render/skin_store.h"
 #include "core/scene/object.h"
 
 #include <map>
@@ -14,7 +15,7 @@ struct MeshPlace {
     MeshPtr mesh;
     DeviceTreePtr tree;
     std::uint32_t vertexBase = 0, triangleBase = 0, nodeBase = 0, leafBase = 0;
-    std::uint32_t firstInfluenceBase = 0, influenceBase = 0;
+    SkinPlace skin; ///< Of a mesh that can be posed.
     int users = 0;
 };
 
@@ -29,6 +30,11 @@ struct PosedPlace {
 
     /// By how much refitting has made the tree worse: 1 is as good as built.
     double wear() const { return builtCost > 0.0 ? cost / builtCost : 1.0; }
+};
+
+/// An object's vertices, in object space.
+struct ObjectVertices {
+    std::vector<glm::vec3> positions, normals;
 };
 
 /// What an instance refers to.
@@ -59,6 +65,10 @@ class GeometryStore {
     /// The vertices of an object's pose; waits for the device. Errors: the object is not posed.
     Result<std::vector<glm::vec3>> readPosedPositions(Context& context, Id object) const;
 
+    /// The vertices of an object as they are on the device, in its pose if it is posed; waits for the device.
+    /// Errors: its geometry is not there.
+    Result<ObjectVertices> readVertices(Context& context, Id object) const;
+
     /// Buffers exist even without geometry, so that kernels can be given them.
     Result<void> ensure(Context& context);
 
@@ -66,8 +76,7 @@ class GeometryStore {
     const Buffer<float>& normals() const { return normals_.buffer(); }
     const Buffer<float>& texCoords() const { return texCoords_.buffer(); } ///< Two floats a vertex.
     const Buffer<DeviceTriangle>& triangles() const { return triangles_.buffer(); }
-    const Buffer<std::uint32_t>& firstInfluences() const { return firstInfluences_.buffer(); }
-    const Buffer<DeviceInfluence>& influences() const { return influences_.buffer(); }
+    const SkinStore& skins() const { return skins_; }
     cl_mem nodes() const;
     cl_mem leaves() const;
     std::size_t nodeCapacity() const; ///< Nodes that the buffer has room for.
@@ -96,8 +105,7 @@ class GeometryStore {
     Arena<float> normals_{"normals"};
     Arena<float> texCoords_{"texture coordinates"};
     Arena<DeviceTriangle> triangles_{"triangles"};
-    Arena<std::uint32_t> firstInfluences_{"bone weights"};
-    Arena<DeviceInfluence> influences_{"bone weights"};
+    SkinStore skins_;
     Arena<WideNode> wideNodes_{"tree"};
     Arena<WideLeaf> wideLeaves_{"tree's leaves"};
     Arena<BinaryNode> binaryNodes_{"tree"};

@@ -34,7 +34,7 @@ std::uint64_t countNonFinite(const std::vector<float>& radiance) {
 }
 
 Result<void> renderPass(Renderer& renderer, const RenderPlan& plan, const Scene& scene,
-                        const OfflineOptions& options) {
+                        const OfflineOptions& options, const Progress* cancel) {
     if (auto ok = renderer.begin(plan, scene, options.width, options.height); !ok)
         return ok;
     while (true) {
@@ -43,6 +43,10 @@ Result<void> renderPass(Renderer& renderer, const RenderPlan& plan, const Scene&
             return std::unexpected(done.error());
         if (*done)
             return {};
+        if (cancel && cancel->isCancelled()) {
+            renderer.drop();
+            return failure("Rendering was cancelled.");
+        }
     }
 }
 
@@ -62,7 +66,8 @@ double relativeMeanSquaredError(const std::vector<float>& picture, const std::ve
     return count > 0 ? sum / static_cast<double>(count) : 0.0;
 }
 
-Result<OfflinePicture> renderOffline(Renderer& renderer, const Scene& scene, const OfflineOptions& options) {
+Result<OfflinePicture> renderOffline(Renderer& renderer, const Scene& scene, const OfflineOptions& options,
+                                     const Progress* cancel) {
     const auto start = Clock::now();
     OfflinePicture picture;
     if (const auto shader = renderer.kernels().rayShader(renderer.context(), scene.render.shader); !shader)
@@ -77,10 +82,12 @@ Result<OfflinePicture> renderOffline(Renderer& renderer, const Scene& scene, con
         drawn.render.samples = options.samples;
     std::vector<float> half;
     while (true) {
+        if (cancel && cancel->isCancelled())
+            return failure("Rendering was cancelled.");
         const RenderPlan plan = renderer.plan(drawn, options.width, options.height);
         if (!plan.find(Stage::RayShader))
             break;
-        if (auto ok = renderPass(renderer, plan, drawn, options); !ok)
+        if (auto ok = renderPass(renderer, plan, drawn, options, cancel); !ok)
             return std::unexpected(ok.error());
         const RenderStatistics statistics = renderer.statistics(true);
         addTimes(statistics, picture.times);

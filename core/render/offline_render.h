@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/progress.h"
 #include "core/render/renderer.h"
 
 #include <vector>
@@ -32,8 +33,10 @@ struct OfflinePicture {
     RayCounts rays;
 };
 
-/// Renders a scene to its end, without a display.
-Result<OfflinePicture> renderOffline(Renderer& renderer, const Scene& scene, const OfflineOptions& options);
+/// Renders a scene to its end, without a display. Cancelling `cancel` (it may be null) ends it with an error
+/// after the chunk in progress, about 30 ms.
+Result<OfflinePicture> renderOffline(Renderer& renderer, const Scene& scene, const OfflineOptions& options,
+                                     const Progress* cancel = nullptr);
 
 /// relMSE of `picture` against `reference` (accuracy.md): RGBA floats of equal count, alpha left out.
 double relativeMeanSquaredError(const std::vector<float>& picture, const std::vector<float>& reference);

@@ -66,7 +66,7 @@ void planPoses(const DeviceState& held, const Scene& next, const SceneDiff& chan
         const auto pose = held.poses.find(object.id);
         const bool fresh =
             pose == held.poses.end() || std::ranges::count(changes.meshesChanged, object.id) > 0;
-        if (fresh || pose->second != poseKeyOf(object, next.timeline))
+        if (fresh || pose->second != poseKeyOf(object, next.timeline.seconds()))
             moving.push_back(object.id);
     }
     if (moving.empty())
@@ -186,22 +186,6 @@ const PlannedStage* RenderPlan::find(Stage stage) const {
 
 bool isDrawn(const Object& object) {
     return object.visible && object.mesh;
-}
-
-bool isPosed(const Object& object) {
-    return object.dynamic && object.mesh && object.mesh->isSkinned();
-}
-
-const Clip* playingClip(const Object& object) {
-    for (const ClipPtr& clip : object.clips)
-        if (clip->name == object.clip)
-            return clip.get();
-    return nullptr;
-}
-
-PoseKey poseKeyOf(const Object& object, const Timeline& timeline) {
-    const Clip* clip = playingClip(object);
-    return {clip, clip ? timeline.seconds() : 0.0};
 }
 
 glm::dvec3 chooseAnchor(const std::optional<glm::dvec3>& present, const Camera& camera) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/animation/pose_key.h"
 #include "core/scene/diff.h"
 #include "core/scene/scene.h"
 
@@ -39,20 +40,12 @@ struct PlannedStage {
     friend bool operator==(const PlannedStage&, const PlannedStage&) = default;
 };
 
-/// What a Dynamic object's vertices were last posed with.
-struct PoseKey {
-    const Clip* clip = nullptr;
-    double seconds = 0.0;
-
-    friend bool operator==(const PoseKey&, const PoseKey&) = default;
-};
-
 /// What the device holds.
 struct DeviceState {
     std::optional<Scene>
         scene;             ///< What the buffers were last brought up to; nothing at first and after a fault.
     std::set<Id> resident; ///< Objects whose geometry is there.
-    std::map<Id, PoseKey> poses; ///< Of the resident skinned Dynamic objects.
+    std::map<Id, PoseKey> poses; ///< What the resident Dynamic objects were last posed with.
     std::set<Id> newTrees;       ///< Posed objects for which a better tree is ready, on the host.
     glm::dvec3 anchor{0.0};      ///< World position that everything is relative to.
     int width = 0, height = 0;   ///< Of the picture.
@@ -76,15 +69,6 @@ RenderPlan makePlan(const DeviceState& held, const Scene& next, int width, int h
 
 /// Whether an object takes part in the picture.
 bool isDrawn(const Object& object);
-
-/// Whether an object's vertices are computed on the device.
-bool isPosed(const Object& object);
-
-/// The pose an object should be in.
-PoseKey poseKeyOf(const Object& object, const Timeline& timeline);
-
-/// The clip an object plays, or null for the bind pose.
-const Clip* playingClip(const Object& object);
 
 /// Device coordinates are floats relative to an anchor near the camera. The anchor stays while the camera
 /// moves about its target (so that orbiting touches no buffer), and follows once it is more than four times

@@ -280,6 +280,7 @@ void RenderThread::Worker::showFrame(bool isFinal) {
     frame->sampleLimit = request_->scene.render.samples;
     frame->isFinal = isFinal && complete_;
     frame->camera = request_->scene.camera;
+    frame->scene = request_->scene;
     frame->statistics = renderer_->statistics(true);
     lastShown_ = Clock::now();
     settled_ = frame->isFinal;

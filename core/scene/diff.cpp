@@ -14,7 +14,8 @@ void diffObject(const Object& before, const Object& after, SceneDiff& changes) {
         changes.meshesChanged.push_back(after.id);
     if (before.materials != after.materials)
         changes.materialsAssigned.push_back(after.id);
-    if (before.clip != after.clip || before.clips != after.clips)
+    if (before.clip != after.clip || before.clips != after.clips || before.playback != after.playback ||
+        before.morphWeights != after.morphWeights)
         changes.clipsChanged.push_back(after.id);
 }
 
@@ -73,6 +74,12 @@ bool texturesDiffer(const CowList<Material>& before, const CowList<Material>& af
 
 bool SceneDiff::isEmpty() const {
     return *this == SceneDiff{};
+}
+
+bool SceneDiff::isTimeOnly() const {
+    SceneDiff rest = *this;
+    rest.time = false;
+    return time && rest.isEmpty();
 }
 
 SceneDiff diff(const Scene& before, const Scene& after) {

@@ -14,7 +14,7 @@ struct SceneDiff {
     std::vector<Id> objectsShown;      ///< Visibility changed either way.
     std::vector<Id> meshesChanged;     ///< Another mesh, or Static/Dynamic changed.
     std::vector<Id> materialsAssigned; ///< The object's list of materials changed.
-    std::vector<Id> clipsChanged;      ///< Another clip plays.
+    std::vector<Id> clipsChanged;      ///< Another clip, played otherwise, or morph weights.
     bool lights = false;
     bool materials = false; ///< A value in some material.
     bool textures = false;  ///< Some material's or the background's picture.
@@ -26,6 +26,7 @@ struct SceneDiff {
     bool exposure = false;
 
     bool isEmpty() const;
+    bool isTimeOnly() const; ///< The time changed and nothing else, as while playing.
 
     friend bool operator==(const SceneDiff&, const SceneDiff&) = default;
 };

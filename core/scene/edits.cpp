@@ -1,5 +1,6 @@
 #include "core/scene/edits.h"
 
+#include "core/animation/posed_bounds.h"
 #include "core/scene/primitives.h"
 #include "core/scene/property_tables.h"
 
@@ -46,7 +47,7 @@ void removeMaterial(Scene& scene, Id id) {
 
 Id duplicateObject(Scene& scene, Object copy) {
     // In its original's place a copy would go unseen.
-    copy.transform.translation.x += worldBounds(copy).extent().x * 1.1;
+    copy.transform.translation.x += worldBounds(copy, scene.timeline.seconds()).extent().x * 1.1;
     return addObject(scene, std::move(copy));
 }
 

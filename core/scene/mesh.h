@@ -42,6 +42,7 @@ struct Mesh {
     Bounds bounds; ///< Of all positions.
 
     bool isSkinned() const { return skeleton && !influences.empty(); }
+    bool canBePosed() const { return isSkinned() || !morphTargets.empty(); }
 };
 
 using MeshPtr = std::shared_ptr<const Mesh>;

@@ -2,12 +2,10 @@
 
 namespace prizma {
 
-DBounds worldBounds(const Object& object) {
+DBounds transformed(const Bounds& box, const glm::dmat4& toWorld) {
     DBounds bounds;
-    if (!object.mesh || object.mesh->bounds.isEmpty())
+    if (box.isEmpty())
         return bounds;
-    const glm::dmat4 toWorld = object.transform.matrix();
-    const Bounds& box = object.mesh->bounds;
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec4 point{(corner & 1) != 0 ? box.high.x : box.low.x,
                                (corner & 2) != 0 ? box.high.y : box.low.y,
@@ -15,6 +13,10 @@ DBounds worldBounds(const Object& object) {
         bounds.add(glm::dvec3(toWorld * point));
     }
     return bounds;
+}
+
+DBounds bindPoseBounds(const Object& object) {
+    return object.mesh ? transformed(object.mesh->bounds, object.transform.matrix()) : DBounds();
 }
 
 } // namespace prizma

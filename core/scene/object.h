@@ -3,8 +3,10 @@
 #include "core/scene/clip.h"
 #include "core/scene/id.h"
 #include "core/scene/mesh.h"
+#include "core/scene/playback.h"
 #include "core/scene/transform.h"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,11 +46,17 @@ struct Object {
         clipFiles; ///< Absolute paths of the animation files brought in beside the model.
     std::vector<ClipPtr> clips;
     std::string clip; ///< Name of the clip that plays; empty for the bind pose.
+    Playback playback;
+    std::map<std::string, double> morphWeights; ///< By the morph target's name; those left out are 0.
 
     friend bool operator==(const Object&, const Object&) = default;
 };
 
-/// The box of the object's mesh in world space (bind pose); empty without a mesh.
-DBounds worldBounds(const Object& object);
+/// The box of the object's mesh in world space as it was modelled (core/animation/posed_bounds.h has the one
+/// of its pose); empty without a mesh.
+DBounds bindPoseBounds(const Object& object);
+
+/// `box` after `toWorld`, as the box of its eight corners; empty if it is empty.
+DBounds transformed(const Bounds& box, const glm::dmat4& toWorld);
 
 } // namespace prizma

@@ -1,11 +1,13 @@
 #include "core/scene/properties.h"
 
+#include "core/animation/pose_key.h"
 #include "core/scene/property_tables.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
 
 namespace prizma {
 namespace {
@@ -60,6 +62,53 @@ const Property<Owner>* findProperty(std::string_view key) {
     const auto all = propertiesOf<Owner>();
     const auto found = std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.key == key; });
     return found == all.end() ? nullptr : &*found;
+}
+
+constexpr std::string_view morphPrefix = "morph:";
+constexpr double largestMorphWeight = 2.0;
+
+/// The morph target that a key names, if the object has it.
+std::optional<std::string> morphTargetOf(const Object& object, std::string_view key) {
+    if (object.mesh && key.starts_with(morphPrefix))
+        for (const MorphTarget& target : object.mesh->morphTargets)
+            if (target.name == key.substr(morphPrefix.size()))
+                return target.name;
+    return std::nullopt;
+}
+
+double morphWeight(const Object& object, const std::string& target) {
+    const auto found = object.morphWeights.find(target);
+    return found == object.morphWeights.end() ? 0.0 : found->second;
+}
+
+Result<void> setMorphWeight(Object& object, const std::string& target, const PropertyValue& value) {
+    const auto* weight = std::get_if<double>(&value);
+    if (!weight || !std::isfinite(*weight))
+        return failure("the weight of a morph target must be a number");
+    if (*weight == 0.0) // as if it had never been set
+        object.morphWeights.erase(target);
+    else
+        object.morphWeights[target] = std::clamp(*weight, -largestMorphWeight, largestMorphWeight);
+    return {};
+}
+
+void appendMorphs(const Object& object, std::vector<PropertyInfo>& infos) {
+    std::set<std::string_view> listed;
+    if (object.mesh)
+        for (const MorphTarget& target : object.mesh->morphTargets)
+            if (listed.insert(target.name).second)
+                infos.push_back({std::string(morphPrefix) + target.name,
+                                 target.name,
+                                 "How far the shape is blended in; 1 is all of it.",
+                                 PropertyKind::Number,
+                                 {},
+                                 -largestMorphWeight,
+                                 largestMorphWeight,
+                                 0.05,
+                                 {},
+                                 true,
+                                 morphWeight(object, target.name),
+                                 0.0});
 }
 
 /// Calls `visitor` with the entity itself; false if the scene has none such.
@@ -178,6 +227,16 @@ std::optional<PropertyValue> parseValue(PropertyKind kind, std::string_view text
     }
 }
 
+Result<void> checkClipName(const Object& object, const std::string& name) {
+    if (name.empty() || findClip(object, name))
+        return {};
+    std::string all;
+    for (const ClipPtr& clip : object.clips)
+        all += (all.empty() ? "" : ", ") + clip->name;
+    return failure("\"" + object.name + "\" has no clip \"" + name + "\"" +
+                   (all.empty() ? ", nor any other" : ", but: " + all));
+}
+
 template <class T>
 std::optional<EntityRef> findNamed(const CowList<T>& list, EntityKind kind, std::string_view name) {
     for (const T& item : list)
@@ -216,8 +275,11 @@ std::vector<PropertyInfo> properties(const Scene& scene, EntityRef entity) {
     std::vector<PropertyInfo> infos;
     visitEntity(scene, entity, [&]<class Owner>(const Owner& owner) {
         for (const Property<Owner>& p : propertiesOf<Owner>())
-            infos.push_back({p.key, p.label, p.help, p.kind, p.unit, p.minimum, p.maximum, p.step, p.choices,
-                             !p.applies || p.applies(owner), p.get(owner), p.get(Owner{})});
+            infos.push_back({std::string(p.key), std::string(p.label), p.help, p.kind, p.unit, p.minimum,
+                             p.maximum, p.step, p.choices, !p.applies || p.applies(owner), p.get(owner),
+                             p.get(Owner{})});
+        if constexpr (std::is_same_v<Owner, Object>)
+            appendMorphs(owner, infos);
     });
     return infos;
 }
@@ -225,6 +287,11 @@ std::vector<PropertyInfo> properties(const Scene& scene, EntityRef entity) {
 Result<PropertyValue> getProperty(const Scene& scene, EntityRef entity, std::string_view key) {
     Result<PropertyValue> result = std::unexpected(noSuchEntity());
     visitEntity(scene, entity, [&]<class Owner>(const Owner& owner) {
+        if constexpr (std::is_same_v<Owner, Object>)
+            if (const auto target = morphTargetOf(owner, key)) {
+                result = morphWeight(owner, *target);
+                return;
+            }
         if (const auto* property = findProperty<Owner>(key))
             result = property->get(owner);
         else
@@ -236,6 +303,11 @@ Result<PropertyValue> getProperty(const Scene& scene, EntityRef entity, std::str
 Result<void> setProperty(Scene& scene, EntityRef entity, std::string_view key, const PropertyValue& value) {
     Result<void> result = std::unexpected(noSuchEntity());
     visitEntity(scene, entity, [&]<class Owner>(const Owner& owner) {
+        if constexpr (std::is_same_v<Owner, Object>)
+            if (const auto target = morphTargetOf(owner, key)) {
+                result = setMorphWeight(editable(scene, owner), *target, value);
+                return;
+            }
         const auto* property = findProperty<Owner>(key);
         if (!property) {
             result = failure("there is no property \"" + std::string(key) + "\"");
@@ -250,6 +322,10 @@ Result<void> setProperty(Scene& scene, EntityRef entity, std::string_view key, c
         result = {};
     });
     return result;
+}
+
+bool namesClip(std::string_view key) {
+    return key == "clip" || key == "fadeFrom";
 }
 
 std::string displayName(const Scene& scene, EntityRef entity) {
@@ -275,7 +351,9 @@ std::string displayName(const Scene& scene, EntityRef entity) {
 Result<void> applyAssignment(Scene& scene, std::string_view assignment) {
     const auto whole = std::string(assignment);
     const auto equals = assignment.find('=');
-    const auto dot = assignment.substr(0, equals).find_last_of('.');
+    const auto left = assignment.substr(0, equals);
+    const auto morph = left.rfind("." + std::string(morphPrefix));
+    const auto dot = morph != std::string_view::npos ? morph : left.find_last_of('.');
     if (equals == std::string_view::npos || dot == std::string_view::npos)
         return failure("\"" + whole + "\" is not of the form lights.NAME.KEY=VALUE or camera.KEY=VALUE");
     const auto entity = parseEntity(scene, assignment.substr(0, dot));
@@ -289,6 +367,9 @@ Result<void> applyAssignment(Scene& scene, std::string_view assignment) {
         if (!value)
             return failure("\"" + std::string(assignment.substr(equals + 1)) + "\" is no value for \"" +
                            std::string(key) + "\"");
+        if (entity->kind == EntityKind::Object && namesClip(key))
+            if (auto ok = checkClipName(*scene.findObject(entity->id), std::get<std::string>(*value)); !ok)
+                return ok;
         return setProperty(scene, *entity, key, *value);
     }
     return failure("there is no property \"" + std::string(key) + "\"");

@@ -67,7 +67,8 @@ struct EntityRef {
 
 /// A property without its owner's type: what panels and undo commands work with.
 struct PropertyInfo {
-    std::string_view key, label, help;
+    std::string key, label;
+    std::string_view help;
     PropertyKind kind;
     std::string_view unit;
     double minimum, maximum, step;
@@ -77,7 +78,8 @@ struct PropertyInfo {
     PropertyValue defaultValue;
 };
 
-/// All properties of an entity with their present values; empty if the scene has no such entity.
+/// All properties of an entity with their present values; empty if the scene has no such entity. An object
+/// has one more for each of its mesh's morph targets, "morph:" and the target's name: its weight.
 std::vector<PropertyInfo> properties(const Scene& scene, EntityRef entity);
 
 /// Reads or writes one property. Errors: unknown entity or key, a value of the wrong type or that is not
@@ -85,11 +87,16 @@ std::vector<PropertyInfo> properties(const Scene& scene, EntityRef entity);
 Result<PropertyValue> getProperty(const Scene& scene, EntityRef entity, std::string_view key);
 Result<void> setProperty(Scene& scene, EntityRef entity, std::string_view key, const PropertyValue& value);
 
+/// Whether a property of objects, by its key, is the name of one of the object's own clips. Its kind is Text,
+/// as projects may name clips that could not be loaded; --set and panels offer what there is.
+bool namesClip(std::string_view key);
+
 /// The name of an object, light or material; "Camera", "Background", ... for the rest.
 std::string displayName(const Scene& scene, EntityRef entity);
 
 /// Carries out "lights.key.intensity=80", "camera.fovY=30", "materials.floor.baseColor=0.8,0.8,0.8":
-/// what --set takes. Names may hold dots; the key is what follows the last one.
+/// what --set takes. Names may hold dots; the key is what follows the last one before the equals sign, or the
+/// "morph:" of "objects.face.morph:eye.left=0.5".
 Result<void> applyAssignment(Scene& scene, std::string_view assignment);
 
 } // namespace prizma

@@ -66,28 +66,42 @@ Property<Owner> property(Texts texts, PropertyKind kind, Range range = {}, Appli
             choices,    &Access<member>::get, &Access<member>::set, applies};
 }
 
-/// A property stored in one component of an object's transform.
+/// A property stored in `part` of an object's `whole` (its transform, its playback).
+template <auto whole, auto part>
+Property<Object> partProperty(Texts texts, PropertyKind kind, Range range = {},
+                              Applies<Object> applies = nullptr) {
+    using Part = typename MemberTraits<decltype(part)>::OwnerType;
+    Property<Part> inner = property<part, Part>(texts, kind, range);
+    return {inner.key,
+            inner.label,
+            inner.help,
+            kind,
+            inner.unit,
+            inner.minimum,
+            inner.maximum,
+            inner.step,
+            inner.choices,
+            [](const Object& object) { return Access<part>::get(object.*whole); },
+            [](Object& object, const PropertyValue& value) { Access<part>::set(object.*whole, value); },
+            applies};
+}
+
 template <auto part>
 Property<Object> transformProperty(Texts texts, PropertyKind kind, Range range = {}) {
-    return {texts.key,
-            texts.label,
-            texts.help,
-            kind,
-            range.unit,
-            range.minimum,
-            range.maximum,
-            range.step,
-            {},
-            [](const Object& object) -> PropertyValue { return object.transform.*part; },
-            [](Object& object, const PropertyValue& value) {
-                using Value = typename MemberTraits<decltype(part)>::ValueType;
-                object.transform.*part = std::get<Value>(value);
-            },
-            nullptr};
+    return partProperty<&Object::transform, part>(texts, kind, range);
+}
+
+template <auto part>
+Property<Object> playbackProperty(Texts texts, PropertyKind kind, Range range, Applies<Object> applies) {
+    return partProperty<&Object::playback, part>(texts, kind, range, applies);
 }
 
 bool hasClips(const Object& object) {
     return !object.clips.empty();
+}
+
+bool fades(const Object& object) {
+    return hasClips(object) && object.playback.fadeSeconds > 0.0;
 }
 
 template <LightType... types>
@@ -134,6 +148,13 @@ std::span<const Choice> choicesOf<UpAxis>() {
 }
 
 template <>
+std::span<const Choice> choicesOf<LoopMode>() {
+    static constexpr std::array<Choice, 4> choices{
+        {{"clip", "As the clip says"}, {"loop", "Loop"}, {"once", "Once"}, {"pingpong", "Back and forth"}}};
+    return choices;
+}
+
+template <>
 std::span<const Property<Object>> propertiesOf() {
     static const std::array properties{
         property<&Object::name>({"name", "Name", "What the object is called in the scene tree."},
@@ -152,6 +173,26 @@ std::span<const Property<Object>> propertiesOf() {
             {"scale", "Scale", "Size along each axis; 1 is the model's own."}, PropertyKind::Vector3),
         property<&Object::clip>({"clip", "Clip", "The animation that plays; empty for the bind pose."},
                                 PropertyKind::Text, {}, hasClips),
+        playbackProperty<&Playback::offset>(
+            {"clipOffset", "Clip offset", "How far into the clip the timeline's beginning is."},
+            PropertyKind::Number, {"s", -unlimited, unlimited, 0.1}, hasClips),
+        playbackProperty<&Playback::speed>(
+            {"clipSpeed", "Speed", "1 is the clip's own speed, 0 stands still, below 0 runs backwards."},
+            PropertyKind::Number, {"", -1000.0, 1000.0, 0.1}, hasClips),
+        playbackProperty<&Playback::loop>({"loop", "Loop", "What the clip does after its end."},
+                                          PropertyKind::Choice, {}, hasClips),
+        playbackProperty<&Playback::fps>(
+            {"clipFps", "Clip's frame rate", "Frames of the clip a second; 0 is the clip's own rate."},
+            PropertyKind::Number, {"1/s", 0.0, 1000.0, 1.0}, hasClips),
+        playbackProperty<&Playback::fadeSeconds>(
+            {"fadeSeconds", "Fade", "How long it takes to go over to the clip; 0 for no fade."},
+            PropertyKind::Number, {"s", 0.0, unlimited, 0.1}, hasClips),
+        playbackProperty<&Playback::fadeStart>(
+            {"fadeStart", "Fade starts", "When on the timeline the fade begins."}, PropertyKind::Number,
+            {"s", -unlimited, unlimited, 0.1}, fades),
+        playbackProperty<&Playback::fadeFrom>(
+            {"fadeFrom", "Fade from", "The clip that plays before; empty for the bind pose."},
+            PropertyKind::Text, {}, fades),
     };
     return properties;
 }
@@ -264,11 +305,11 @@ std::span<const Property<Timeline>> propertiesOf() {
         property<&Timeline::fps>({"fps", "Frame rate", "Frames a second."}, PropertyKind::Number,
                                  {"1/s", 0.01, 1000.0, 1.0}),
         property<&Timeline::start>({"start", "Start", "The first frame."}, PropertyKind::Integer,
-                                   {"", -1e6, 1e6, 1.0}),
+                                   {"", -Timeline::furthestFrame, Timeline::furthestFrame, 1.0}),
         property<&Timeline::end>({"end", "End", "The last frame."}, PropertyKind::Integer,
-                                 {"", -1e6, 1e6, 1.0}),
+                                 {"", -Timeline::furthestFrame, Timeline::furthestFrame, 1.0}),
         property<&Timeline::frame>({"frame", "Frame", "The frame that is shown."}, PropertyKind::Number,
-                                   {"", -1e6, 1e6, 1.0}),
+                                   {"", -Timeline::furthestFrame, Timeline::furthestFrame, 1.0}),
     };
     return properties;
 }

@@ -30,5 +30,7 @@ template <>
 std::span<const Choice> choicesOf<PrimitiveType>();
 template <>
 std::span<const Choice> choicesOf<UpAxis>();
+template <>
+std::span<const Choice> choicesOf<LoopMode>();
 
 } // namespace prizma

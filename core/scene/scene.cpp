@@ -84,14 +84,6 @@ template std::string uniqueName(const CowList<Object>&, const std::string&);
 template std::string uniqueName(const CowList<Light>&, const std::string&);
 template std::string uniqueName(const CowList<Material>&, const std::string&);
 
-DBounds worldBounds(const Scene& scene) {
-    DBounds bounds;
-    for (const Object& object : scene.objects)
-        if (object.visible)
-            bounds.add(worldBounds(object));
-    return bounds;
-}
-
 Camera frameBounds(Camera camera, const DBounds& bounds, double aspect) {
     if (bounds.isEmpty())
         return camera;

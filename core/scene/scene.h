@@ -21,6 +21,8 @@ struct Background {
 
 /// Whole frames, `start` to `end` inclusive; `frame` may lie between two while playing.
 struct Timeline {
+    static constexpr double furthestFrame = 1e6; ///< From 0, either way.
+
     double fps = 30.0;
     int start = 0;
     int end = 120;
@@ -74,9 +76,6 @@ Id addMaterial(Scene& scene, Material item);
 /// `wanted`, or "wanted 2", "wanted 3", ... whichever no item of `list` has.
 template <class T>
 std::string uniqueName(const CowList<T>& list, const std::string& wanted);
-
-/// World box of all visible objects that have a mesh; empty if there is none.
-DBounds worldBounds(const Scene& scene);
 
 /// `camera` moved along its own view direction so that `bounds` fills the picture (`aspect` is width /
 /// height) with a small margin; unchanged for empty bounds.

@@ -1,5 +1,6 @@
 #include "core/scene/starter_scene.h"
 
+#include "core/animation/posed_bounds.h"
 #include "core/scene/primitives.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Hit by hit: the kernels against the reference tracer in double precision.
+#include "core/animation/posed_bounds.h"
 #include "core/import/model_importer.h"
 #include "core/reference/reference_tracer.h"
 #include "core/render/ray_query.h"

@@ -44,8 +44,7 @@ std::vector<glm::dvec3> readCsv(const QString& name) {
 /// The corners of all triangles, posed in double precision and brought back into the file's space.
 std::vector<glm::dvec3> posedCorners(const Mesh& mesh, const Clip& clip, double frame,
                                      const glm::dmat4& toObject) {
-    const auto matrices =
-        skinningMatrices(*mesh.skeleton, evaluateClip(*mesh.skeleton, clip, frame / clip.fps));
+    const auto matrices = skinningMatrices(*mesh.skeleton, poseAtFrame(*mesh.skeleton, clip, frame));
     const glm::dmat4 toFile = glm::inverse(toObject);
     std::vector<glm::dvec3> corners;
     for (const glm::uvec3& triangle : mesh.triangles)

@@ -15,7 +15,7 @@ namespace {
 MeshPtr posedOnHost(const Object& object, double seconds) {
     auto posed = std::make_shared<Mesh>(*object.mesh);
     const auto matrices = skinningMatrices(*object.mesh->skeleton,
-                                           evaluateClip(*object.mesh->skeleton, *object.clips[0], seconds));
+                                           evaluatePose(*object.mesh->skeleton, poseKeyOf(object, seconds)));
     for (std::size_t i = 0; i < posed->positions.size(); ++i) {
         glm::dvec4 sum(0.0);
         for (auto k = posed->firstInfluence[i]; k < posed->firstInfluence[i + 1]; ++k)

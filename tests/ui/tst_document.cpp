@@ -83,6 +83,8 @@ void editAtRandom(Document& document, std::mt19937& random) {
     default: {
         const auto all = properties(document.scene(), entity);
         const PropertyInfo& info = all[random() % all.size()];
+        if (info.key == "frame")
+            break; // moving in time is no step: undoKeepsTheFrame
         document.setProperty({entity}, info.key, altered(info, random));
     }
     }
@@ -99,11 +101,15 @@ class TestDocument : public QObject {
     void gestureWithoutOutcomeIsNoStep();
     void undoKeepsTheCamera();
     void cameraEditsCanBeUndone();
+    void undoKeepsTheFrame();
+    void movingInTimeIsNoEdit();
+    void previewIsNoEdit();
     void selectionStaysValid();
     void renamingIsToldAndUnique();
     void deletedMaterialsAreReplaced();
     void idsAreNeverUsedTwice();
     void savedIsUnmodified();
+    void goesWithoutAWord();
     void badValuesAreRefused();
     void expressions_data();
     void expressions();
@@ -180,6 +186,78 @@ void TestDocument::cameraEditsCanBeUndone() {
     QCOMPARE(document.scene().camera.fovY, before);
 }
 
+void TestDocument::undoKeepsTheFrame() {
+    Document document;
+    document.reset(makeScene(), {});
+    const EntityRef timeline{EntityKind::Timeline};
+    const int gesture = document.newGesture();
+    document.setProperty({timeline}, "end", 50, gesture);
+    document.setFrame(7.5);
+    document.setProperty({timeline}, "end", 60, gesture);
+    QCOMPARE(document.undoStack().count(), 1);
+    document.setFrame(8.5);
+    document.undoStack().undo();
+    QCOMPARE(document.scene().timeline.end, 120);
+    QCOMPARE(document.scene().timeline.frame, 8.5);
+    document.undoStack().redo();
+    QCOMPARE(document.scene().timeline.end, 60);
+    QCOMPARE(document.scene().timeline.frame, 8.5);
+    // A gesture that comes to nothing while time goes on is no step, either.
+    const int other = document.newGesture();
+    document.setProperty({timeline}, "end", 61, other);
+    document.setFrame(9.0);
+    document.setProperty({timeline}, "end", 60, other);
+    QCOMPARE(document.undoStack().count(), 1);
+}
+
+void TestDocument::movingInTimeIsNoEdit() {
+    QTemporaryDir folder;
+    Document document;
+    document.reset(makeScene(), {});
+    QCOMPARE(document.save(folder.filePath(QStringLiteral("a.prizma"))), QString());
+    QSignalSpy changed(&document, &Document::sceneChanged);
+    document.setFrame(12.25);
+    QCOMPARE(changed.count(), 1);
+    QVERIFY(changed.takeFirst().at(0).value<SceneDiff>().isTimeOnly());
+    document.setFrame(12.25);
+    document.setFrame(std::nan(""));
+    QCOMPARE(changed.count(), 0);
+    // In the property panel, too, although that goes the way of all edits.
+    QCOMPARE(document.setProperty({{EntityKind::Timeline}}, "frame", 13.0), QString());
+    QCOMPARE(document.scene().timeline.frame, 13.0);
+    QVERIFY(!document.isModified());
+    QCOMPARE(document.undoStack().count(), 0);
+    // Saved with the project all the same.
+    QCOMPARE(document.save(document.file()), QString());
+    Progress progress;
+    const auto loaded = loadProject(document.file().toStdString(), progress);
+    QVERIFY(loaded);
+    QCOMPARE(loaded->scene.timeline.frame, 13.0);
+}
+
+void TestDocument::previewIsNoEdit() {
+    Document document;
+    document.reset(makeScene(), {});
+    const Scene before = document.scene();
+    QSignalSpy previewed(&document, &Document::previewChanged);
+    document.setPreview([](Scene& scene) { scene.objects.edit()[0].visible = false; });
+    QCOMPARE(previewed.count(), 1);
+    QVERIFY(!document.shownScene().objects[0].visible);
+    QVERIFY(document.scene() == before);
+    QVERIFY(!document.isModified());
+    // It goes on top of whatever happens meanwhile.
+    document.setFrame(3.0);
+    QCOMPARE(document.shownScene().timeline.frame, 3.0);
+    QVERIFY(!document.shownScene().objects[0].visible);
+    document.endPreview();
+    document.endPreview();
+    QCOMPARE(previewed.count(), 2);
+    QVERIFY(document.shownScene() == document.scene());
+    document.setPreview([](Scene& scene) { scene.objects = {}; });
+    document.reset(makeScene(), {});
+    QVERIFY(!document.hasPreview());
+}
+
 void TestDocument::selectionStaysValid() {
     Document document;
     document.reset(makeScene(), {});
@@ -246,6 +324,18 @@ void TestDocument::savedIsUnmodified() {
     QVERIFY(document.isModified());
     QVERIFY(!document.save(folder.filePath(QStringLiteral("no/such/folder/x.prizma"))).isEmpty());
     QVERIFY(document.isModified());
+}
+
+void TestDocument::goesWithoutAWord() {
+    int told = 0;
+    {
+        Document document;
+        document.reset(makeScene(), {});
+        addLight(document, LightType::Spot);
+        QVERIFY(document.isModified());
+        QObject::connect(&document, &Document::fileChanged, [&told] { ++told; });
+    }
+    QCOMPARE(told, 0);
 }
 
 void TestDocument::badValuesAreRefused() {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <random>
 #include <set>
 
@@ -131,6 +132,68 @@ class TestProperties : public QObject {
         QVERIFY(!getProperty(scene, {EntityKind::Object, 9999}, "name"));
         QVERIFY(properties(scene, {EntityKind::Object, 9999}).empty());
         QVERIFY(scene == before);
+    }
+
+    void morphWeightsAreProperties() {
+        Scene scene = makeStarterScene();
+        const Id id = scene.objects[0].id;
+        auto mesh = std::make_shared<Mesh>(*scene.objects[0].mesh);
+        for (const char* name : {"smile", "eye.left", "smile", ""}) // two of one name go together
+            mesh->morphTargets.push_back({name, {0}, {glm::vec3(1.0f)}, {glm::vec3(0.0f)}});
+        scene.objects.edit()[0].mesh = mesh;
+        const EntityRef object{EntityKind::Object, id};
+        int count = 0;
+        for (const PropertyInfo& info : properties(scene, object))
+            if (info.key.starts_with("morph:")) {
+                QCOMPARE(info.defaultValue, PropertyValue(0.0));
+                QCOMPARE(info.value, PropertyValue(0.0));
+                ++count;
+            }
+        QCOMPARE(count, 3);
+        const Scene before = scene;
+        QVERIFY(prizma::setProperty(scene, object, "morph:smile", 0.25));
+        QCOMPARE(*getProperty(scene, object, "morph:smile"), PropertyValue(0.25));
+        QCOMPARE(*getProperty(scene, object, "morph:eye.left"), PropertyValue(0.0));
+        QVERIFY(prizma::setProperty(scene, object, "morph:smile", 99.0));
+        QCOMPARE(*getProperty(scene, object, "morph:smile"), PropertyValue(2.0));
+        QVERIFY(!prizma::setProperty(scene, object, "morph:frown", 0.25));
+        QVERIFY(!prizma::setProperty(scene, object, "morph:smile", true));
+        QVERIFY(!prizma::setProperty(scene, object, "morph:smile", std::nan("")));
+        QVERIFY(applyAssignment(scene, "objects." + scene.objects[0].name + ".morph:eye.left=-0.5"));
+        QCOMPARE(*getProperty(scene, object, "morph:eye.left"), PropertyValue(-0.5));
+        QVERIFY(!applyAssignment(scene, "objects." + scene.objects[0].name + ".morph:eye.right=1"));
+        // Back at 0 it is as if it had never been touched.
+        QVERIFY(prizma::setProperty(scene, object, "morph:smile", 0.0));
+        QVERIFY(prizma::setProperty(scene, object, "morph:eye.left", 0.0));
+        QVERIFY(scene == before);
+    }
+
+    void clipsAreChosenAmongTheObjectsOwn() {
+        Scene scene = makeStarterScene();
+        const std::string object = "objects." + scene.objects[0].name;
+        QVERIFY(!applyAssignment(scene, object + ".clip=walk"));
+        auto clip = std::make_shared<Clip>();
+        clip->name = "walk";
+        scene.objects.edit()[0].clips = {clip};
+        QVERIFY(applyAssignment(scene, object + ".clip=walk"));
+        QCOMPARE(scene.objects[0].clip, std::string("walk"));
+        const auto refused = applyAssignment(scene, object + ".clip=wlak");
+        QVERIFY(!refused && QString::fromStdString(refused.error().message).contains("walk"));
+        QVERIFY(!applyAssignment(scene, object + ".fadeFrom=run"));
+        QVERIFY(applyAssignment(scene, object + ".clip="));
+        QVERIFY(applyAssignment(scene, object + ".clipSpeed=-1.5"));
+        QVERIFY(applyAssignment(scene, object + ".loop=pingpong"));
+        QVERIFY(applyAssignment(scene, object + ".clipFps=24"));
+        QVERIFY(applyAssignment(scene, object + ".fadeSeconds=0.5"));
+        const Playback& playback = scene.objects[0].playback;
+        QCOMPARE(playback.speed, -1.5);
+        QVERIFY(playback.loop == LoopMode::PingPong);
+        QCOMPARE(playback.fps, 24.0);
+        QCOMPARE(playback.fadeSeconds, 0.5);
+        QVERIFY(!applyAssignment(scene, object + ".loop=sideways"));
+        // A project may name a clip whose file is lost: it keeps the name.
+        QVERIFY(prizma::setProperty(scene, {EntityKind::Object, scene.objects[0].id}, "clip",
+                                    std::string("lost")));
     }
 
     void assignments() {

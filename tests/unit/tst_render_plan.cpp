@@ -30,7 +30,7 @@ DeviceState drawn(const Scene& scene) {
             continue;
         state.resident.insert(object.id);
         if (isPosed(object))
-            state.poses[object.id] = poseKeyOf(object, scene.timeline);
+            state.poses[object.id] = poseKeyOf(object, scene.timeline.seconds());
     }
     state.anchor = chooseAnchor(std::nullopt, scene.camera);
     state.width = 640;
@@ -75,6 +75,9 @@ class RenderPlanTest : public QObject {
     void hiddenObjectTouchesTopLevelOnly();
     void hiddenObjectIsNotPosed();
     void timeMovesPosedObjectsOnly();
+    void onlyWhatMovesIsPosed();
+    void posesThatStandAreLeftAlone();
+    void morphWeightPosesItsObject();
     void newTreeKeepsThePicture();
     void newObjectIsUploadedAlone();
     void nameIsNotInThePicture();
@@ -191,6 +194,94 @@ void RenderPlanTest::timeMovesPosedObjectsOnly() {
     Scene later = still;
     later.timeline.frame = 12.0;
     QVERIFY(planAfter(still, later).isEmpty());
+}
+
+/// A hundred objects with clips: the ones whose pose differs, and no others, are posed, skinned and refitted.
+void RenderPlanTest::onlyWhatMovesIsPosed() {
+    std::mt19937 random(4);
+    Scene before;
+    for (int i = 0; i < 100; ++i) {
+        Object object = bendingObject();
+        object.playback.offset = 0.1 * i;
+        object.playback.loop = i % 2 == 0 ? LoopMode::Loop : LoopMode::Once;
+        addObject(before, object);
+    }
+    before.timeline.frame = 17.0;
+    for (int round = 0; round < 50; ++round) {
+        Scene after = before;
+        std::vector<Id> touched;
+        for (Object& object : after.objects.edit())
+            switch (random() % 12) {
+            case 0:
+                object.clip.clear();
+                touched.push_back(object.id);
+                break;
+            case 1:
+                object.playback.offset += 0.013;
+                break;
+            case 2:
+                object.transform.translation.x += 1.0; // is no pose
+                break;
+            case 3:
+                object.playback.fadeStart = 99.0; // there is no fade
+                break;
+            case 4:
+                object.visible = false;
+                break;
+            default:
+                break;
+            }
+        std::vector<Id> expected;
+        for (std::size_t i = 0; i < after.objects.size(); ++i) {
+            const Object& object = after.objects[i];
+            if (object.visible && poseKeyOf(object, after.timeline.seconds()) !=
+                                      poseKeyOf(before.objects[i], before.timeline.seconds()))
+                expected.push_back(object.id);
+        }
+        for (const Id id : touched)
+            QVERIFY(std::ranges::count(expected, id) == 1);
+        QVERIFY(!expected.empty());
+        const RenderPlan plan = planAfter(before, after);
+        for (const Stage stage :
+             {Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader})
+            QCOMPARE(plan.find(stage)->objects, expected);
+        QVERIFY(!plan.find(Stage::Geometry));
+    }
+}
+
+void RenderPlanTest::posesThatStandAreLeftAlone() {
+    Scene before = makeScene();
+    before.objects.edit()[2].playback.loop = LoopMode::Once;
+    before.timeline.frame = 600.0; // long after its end
+    Scene after = before;
+    after.timeline.frame = 700.0;
+    QVERIFY(planAfter(before, after).isEmpty());
+    after.objects.edit()[2].playback.loop = LoopMode::Loop;
+    QVERIFY(planAfter(before, after).find(Stage::VertexShader));
+    // Held by its speed.
+    before.objects.edit()[2].playback = {};
+    before.objects.edit()[2].playback.speed = 0.0;
+    after = before;
+    after.timeline.frame = 3.0;
+    QVERIFY(planAfter(before, after).isEmpty());
+}
+
+void RenderPlanTest::morphWeightPosesItsObject() {
+    Scene before = makeScene();
+    auto mesh = std::make_shared<Mesh>(*before.objects[1].mesh);
+    mesh->morphTargets.push_back({"wide", {0}, {glm::vec3(1.0f)}, {glm::vec3(0.0f)}});
+    before.objects.edit()[1].mesh = mesh;
+    before.objects.edit()[1].dynamic = true;
+    Scene after = before;
+    after.objects.edit()[1].morphWeights["wide"] = 0.5;
+    const RenderPlan plan = planAfter(before, after);
+    QCOMPARE(plan.find(Stage::VertexShader)->objects, std::vector<Id>{before.objects[1].id});
+    after.objects.edit()[1].morphWeights = {{"a target it lacks", 0.5}};
+    QVERIFY(planAfter(before, after).isEmpty());
+    after = before;
+    after.timeline.frame = 12.0; // morph targets have no time
+    QCOMPARE(planAfter(before, after).find(Stage::VertexShader)->objects,
+             std::vector<Id>{before.objects[2].id});
 }
 
 void RenderPlanTest::newTreeKeepsThePicture() {

@@ -1,3 +1,4 @@
+#include "core/animation/posed_bounds.h"
 #include "core/scene/primitives.h"
 #include "core/scene/scene.h"
 #include "core/scene/starter_scene.h"

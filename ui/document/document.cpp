@@ -7,6 +7,7 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <cmath>
 
 namespace prizma {
 namespace {
@@ -49,6 +50,11 @@ QString stepText(const Scene& scene, const std::vector<EntityRef>& entities, std
 
 Document::Document(QObject* parent) : QObject(parent) {
     connect(&undoStack_, &QUndoStack::cleanChanged, this, &Document::fileChanged);
+}
+
+// A stack that goes says that it is clean. Whoever listens may be half gone by then.
+Document::~Document() {
+    undoStack_.disconnect(this);
 }
 
 void Document::setSelection(std::vector<EntityRef> selection) {
@@ -99,6 +105,8 @@ void Document::edit(const QString& text, const std::function<void(Scene&)>& chan
 }
 
 void Document::push(const QString& text, Scene after, int gesture) {
+    setFrame(after.timeline.frame); // never part of a step
+    after.timeline.frame = scene_.timeline.frame;
     Scene same = scene_;
     same.lastId = after.lastId;
     if (after != same)
@@ -118,6 +126,31 @@ void Document::setCamera(const Camera& camera) {
         Q_EMIT fileChanged();
 }
 
+void Document::setFrame(double frame) {
+    if (!std::isfinite(frame) || frame == scene_.timeline.frame)
+        return;
+    const Scene before = scene_;
+    scene_.timeline.frame = frame;
+    Q_EMIT sceneChanged(diff(before, scene_));
+}
+
+void Document::setPreview(std::function<void(Scene&)> change) {
+    preview_ = std::move(change);
+    Q_EMIT previewChanged();
+}
+
+void Document::endPreview() {
+    if (preview_)
+        setPreview({});
+}
+
+Scene Document::shownScene() const {
+    Scene shown = scene_;
+    if (preview_)
+        preview_(shown);
+    return shown;
+}
+
 void Document::reset(Scene scene, const QString& file, UnknownKeysPtr unknownKeys) {
     const SceneDiff changes = diff(scene_, scene);
     scene_ = std::move(scene);
@@ -127,7 +160,9 @@ void Document::reset(Scene scene, const QString& file, UnknownKeysPtr unknownKey
     ++revision_;
     const bool hadSelection = !selection_.empty();
     selection_.clear();
+    preview_ = {};
     undoStack_.clear();
+    Q_EMIT replaced();
     Q_EMIT sceneChanged(changes);
     if (hadSelection)
         Q_EMIT selectionChanged();

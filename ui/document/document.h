@@ -21,6 +21,7 @@ class Document : public QObject {
 
   public:
     explicit Document(QObject* parent = nullptr);
+    ~Document() override;
 
     const Scene& scene() const { return scene_; }
     QUndoStack& undoStack() { return undoStack_; }
@@ -50,6 +51,21 @@ class Document : public QObject {
     /// nobody expects Ctrl+Z to orbit back.
     void setCamera(const Camera& camera);
 
+    /// Shows another frame. The frame is where one looks in time, as the camera is where one looks in space:
+    /// playing and scrubbing make no undo steps, and undoing an edit leaves the frame alone. It is saved with
+    /// the project, but unlike the camera it does not even mark it as modified, because nobody who played a
+    /// clip wants to be asked whether to save that. Not finite: ignored.
+    void setFrame(double frame);
+
+    /// Alters what the view shows, but not the scene, until `endPreview`: a look at what an edit would do.
+    /// `change` is called with a copy of the scene whenever that is asked for.
+    void setPreview(std::function<void(Scene&)> change);
+    void endPreview();
+    bool hasPreview() const { return preview_ != nullptr; }
+
+    /// What the view shows: the scene, altered by the preview if there is one.
+    Scene shownScene() const;
+
     /// Replaces everything: the undo stack is cleared. `file` is empty for a scene that was never saved.
     void reset(Scene scene, const QString& file, UnknownKeysPtr unknownKeys = {});
 
@@ -67,6 +83,8 @@ class Document : public QObject {
     /// After every change of the scene. Names are no part of a picture, so that renaming gives an empty diff.
     void sceneChanged(const prizma::SceneDiff& changes);
     void selectionChanged();
+    void previewChanged();
+    void replaced();    ///< The scene is another one altogether; told before `sceneChanged`.
     void fileChanged(); ///< Title or modified mark.
 
   private:
@@ -78,6 +96,7 @@ class Document : public QObject {
     Scene scene_;
     QUndoStack undoStack_;
     std::vector<EntityRef> selection_;
+    std::function<void(Scene&)> preview_;
     QString file_;
     UnknownKeysPtr unknownKeys_;
     bool cameraMoved_ = false;

@@ -35,7 +35,8 @@ bool SceneCommand::mergeWith(const QUndoCommand* other) {
     after_ = later.after_;
     editsCamera_ = editsCamera_ || later.editsCamera_;
     if (!editsCamera_)
-        before_.camera = after_.camera; // it may have been moved between the two
+        before_.camera = after_.camera;             // it may have been moved between the two
+    before_.timeline.frame = after_.timeline.frame; // so may the frame
     setObsolete(looksEqual(before_, after_));
     return true;
 }
@@ -43,6 +44,7 @@ bool SceneCommand::mergeWith(const QUndoCommand* other) {
 void SceneCommand::show(Scene scene) {
     if (!editsCamera_)
         scene.camera = document_.scene().camera;
+    scene.timeline.frame = document_.scene().timeline.frame;
     document_.apply(std::move(scene));
 }
 

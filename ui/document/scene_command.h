@@ -9,7 +9,7 @@ namespace prizma {
 class Document;
 
 /// An edit as two snapshots of the scene: they share everything that is heavy, so that a step costs little
-/// memory.
+/// memory. The timeline's frame stays what it is at the moment, whatever the snapshots say.
 class SceneCommand : public QUndoCommand {
   public:
     /// Edits with an equal gesture number other than 0 merge into one step.

@@ -103,7 +103,7 @@ FileActions::FileActions(Document& document, ImportController& importer, Viewpor
     });
 }
 
-void FileActions::fillMenu(QMenu& menu) {
+void FileActions::fillMenu(QMenu& menu, QAction* exportAnimation) {
     const auto add = [&](const char* iconName, const QString& text, const QKeySequence& key, auto&& slot) {
         QAction* action = menu.addAction(icon(QString::fromLatin1(iconName)), text, this, slot);
         action->setShortcut(key);
@@ -130,6 +130,7 @@ void FileActions::fillMenu(QMenu& menu) {
     add("document-export", tr("&Export Image…"), Qt::CTRL | Qt::Key_E, [this] {
         exportImage();
     })->setStatusTip(tr("Save the picture that is in the view"));
+    menu.addAction(exportAnimation);
     menu.addSeparator();
     QAction* quit = add("application-exit", tr("&Quit"), QKeySequence::Quit, [this] { window_.close(); });
     quit->setShortcut(Qt::CTRL | Qt::Key_Q); // no desktop, no standard key

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 
+class QAction;
 class QMainWindow;
 class QMenu;
 
@@ -28,7 +29,8 @@ class FileActions : public QObject {
   public:
     FileActions(Document& document, ImportController& importer, Viewport& viewport, QMainWindow& window);
 
-    void fillMenu(QMenu& menu);
+    /// `exportAnimation` stands beside the export of a picture.
+    void fillMenu(QMenu& menu, QAction* exportAnimation);
 
     void openFile(const QString& file); ///< Asks before unsaved work is lost.
     void

@@ -1,9 +1,11 @@
 #include "ui/main_window/main_window.h"
 
+#include "core/animation/posed_bounds.h"
 #include "core/scene/edits.h"
 #include "core/scene/starter_scene.h"
 #include "ui/document/document.h"
 #include "ui/document/strings.h"
+#include "ui/export/export_actions.h"
 #include "ui/import/import_controller.h"
 #include "ui/import/import_settings.h"
 #include "ui/log/log_panel.h"
@@ -17,6 +19,9 @@
 #include "ui/preferences/preferences_dialog.h"
 #include "ui/properties/property_editor.h"
 #include "ui/scene_tree/scene_tree.h"
+#include "ui/timeline/playback_actions.h"
+#include "ui/timeline/timeline_controller.h"
+#include "ui/timeline/timeline_panel.h"
 #include "ui/viewport/render_session.h"
 #include "ui/viewport/viewport.h"
 
@@ -36,7 +41,7 @@ const QString geometryKey = QStringLiteral("window/geometry");
 const QString stateKey = QStringLiteral("window/state");
 
 /// Grows when the panels change so much that a remembered layout makes no sense any more.
-constexpr int layoutVersion = 1;
+constexpr int layoutVersion = 2;
 
 QStringList localFiles(const QMimeData* data) {
     QStringList files;
@@ -61,9 +66,13 @@ MainWindow::MainWindow(const QString& deviceId, QWidget* parent)
       sceneTree_(new SceneTree(*document_)),
       propertyEditor_(new PropertyEditor(*document_)),
       log_(new LogPanel),
+      timeline_(new TimelineController(*document_, this)),
+      playbackActions_(new PlaybackActions(*timeline_, this)),
+      timelinePanel_(new TimelinePanel(*document_, *timeline_, *playbackActions_)),
       statusBar_(new StatusBar),
       fileActions_(new FileActions(*document_, *importer_, *viewport_, *this)),
       editActions_(new EditActions(*document_, *this)),
+      exportActions_(new ExportActions(*document_, *session_, *this)),
       viewActions_(new ViewActions(*document_, *session_, *viewport_, *this)),
       helpActions_(new HelpActions(*this)),
       viewportMenu_(new ViewportMenu(*session_, *viewActions_, editActions_->selectionActions(), *this)) {
@@ -122,12 +131,18 @@ QDockWidget* MainWindow::addPanel(QWidget& content, const QString& title, const 
 void MainWindow::makePanels() {
     addPanel(*sceneTree_, tr("Scene"), QStringLiteral("scenePanel"), Qt::LeftDockWidgetArea);
     addPanel(*propertyEditor_, tr("Properties"), QStringLiteral("propertyPanel"), Qt::RightDockWidgetArea);
+    timelineDock_ =
+        addPanel(*timelinePanel_, tr("Timeline"), QStringLiteral("timelinePanel"), Qt::BottomDockWidgetArea);
     logDock_ = addPanel(*log_, tr("Log"), QStringLiteral("logPanel"), Qt::BottomDockWidgetArea);
     sceneTree_->setMinimumWidth(180);
     propertyEditor_->setMinimumWidth(280);
-    // The side panels keep the window's full height, the log lies under the view.
+    // The side panels keep the window's full height; timeline and log lie under the view.
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+
+    for (QWidget* widget : std::initializer_list<QWidget*>{viewport_, timelinePanel_})
+        playbackActions_->addKeysTo(*widget);
+    playbackActions_->addPlayKeysTo(*sceneTree_);
 
     std::vector<QAction*> treeActions = editActions_->selectionActions();
     treeActions.push_back(viewActions_->frameSelected());
@@ -138,6 +153,7 @@ void MainWindow::makePanels() {
     connect(sceneTree_, &SceneTree::refused, this, warn);
     connect(propertyEditor_, &PropertyEditor::message, this, &MainWindow::report);
     connect(fileActions_, &FileActions::message, this, &MainWindow::report);
+    connect(exportActions_, &ExportActions::message, this, &MainWindow::report);
     connect(log_, &LogPanel::jumpRequested, this, &MainWindow::jumpTo);
     connect(log_, &LogPanel::errorAdded, this, [this] {
         if (!preferences::opensLogOnError())
@@ -148,7 +164,7 @@ void MainWindow::makePanels() {
 }
 
 void MainWindow::makeMenus() {
-    fileActions_->fillMenu(*menuBar()->addMenu(tr("&File")));
+    fileActions_->fillMenu(*menuBar()->addMenu(tr("&File")), exportActions_->exportAnimation());
     editActions_->fillEditMenu(*menuBar()->addMenu(tr("&Edit")));
     editActions_->fillAddMenu(*menuBar()->addMenu(tr("&Add")));
     QList<QAction*> toggles;
@@ -158,6 +174,7 @@ void MainWindow::makeMenus() {
     reset->setStatusTip(tr("Put the panels where they were at first"));
     connect(reset, &QAction::triggered, this, &MainWindow::resetLayout);
     viewActions_->fillViewMenu(*menuBar()->addMenu(tr("&View")), toggles, reset);
+    playbackActions_->fillMenu(*menuBar()->addMenu(tr("&Playback")));
     viewActions_->fillRenderMenu(*menuBar()->addMenu(tr("&Render")));
     helpActions_->fillMenu(*menuBar()->addMenu(tr("&Help")));
 }
@@ -197,7 +214,7 @@ void MainWindow::showImported(Id object, const QString& file) {
         return;
     const double aspect = static_cast<double>(viewport_->width()) / std::max(1, viewport_->height());
     const bool isOnly = scene.objects.size() == 1;
-    if (isOnly || !isWellInView(scene.camera, worldBounds(*imported), aspect))
+    if (isOnly || !isWellInView(scene.camera, worldBounds(*imported, scene.timeline.seconds()), aspect))
         viewport_->frameSelected();
 }
 
@@ -247,7 +264,8 @@ void MainWindow::resetLayout() {
         panels_[i]->setVisible(panels_[i] != logDock_);
     }
     resizeDocks({panels_[0], panels_[1]}, {230, 330}, Qt::Horizontal);
-    resizeDocks({logDock_}, {130}, Qt::Vertical);
+    tabifyDockWidget(timelineDock_, logDock_);
+    resizeDocks({timelineDock_}, {180}, Qt::Vertical);
 }
 
 void MainWindow::restoreLayout() {

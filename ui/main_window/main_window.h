@@ -13,14 +13,18 @@ namespace prizma {
 
 class Document;
 class EditActions;
+class ExportActions;
 class FileActions;
 class HelpActions;
 class ImportController;
 class LogPanel;
+class PlaybackActions;
 class PropertyEditor;
 class RenderSession;
 class SceneTree;
 class StatusBar;
+class TimelineController;
+class TimelinePanel;
 class ViewActions;
 class Viewport;
 class ViewportMenu;
@@ -52,6 +56,9 @@ class MainWindow : public QMainWindow {
     SceneTree& sceneTree() { return *sceneTree_; }
     PropertyEditor& propertyEditor() { return *propertyEditor_; }
     LogPanel& log() { return *log_; }
+    TimelineController& timeline() { return *timeline_; }
+    TimelinePanel& timelinePanel() { return *timelinePanel_; }
+    ExportActions& exportActions() { return *exportActions_; }
     FileActions& fileActions() { return *fileActions_; }
 
     /// Adds a panel that can be moved, closed and found in the View menu; `name` is what it is remembered by.
@@ -84,13 +91,18 @@ class MainWindow : public QMainWindow {
     SceneTree* sceneTree_;
     PropertyEditor* propertyEditor_;
     LogPanel* log_;
+    TimelineController* timeline_;
+    PlaybackActions* playbackActions_;
+    TimelinePanel* timelinePanel_;
     StatusBar* statusBar_;
     FileActions* fileActions_;
     EditActions* editActions_;
+    ExportActions* exportActions_;
     ViewActions* viewActions_;
     HelpActions* helpActions_;
     ViewportMenu* viewportMenu_;
     std::vector<QDockWidget*> panels_;
+    QDockWidget* timelineDock_ = nullptr;
     QDockWidget* logDock_ = nullptr;
     bool mayClose_ = false;
 };

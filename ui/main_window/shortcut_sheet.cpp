@@ -57,6 +57,20 @@ void addGestures(QTreeWidgetItem& group) {
         new QTreeWidgetItem(&group, gesture);
 }
 
+void addTimeline(QTreeWidgetItem& group) {
+    const QList<QStringList> gestures{
+        {ShortcutSheet::tr("Move in time"), ShortcutSheet::tr("Left drag on the ruler")},
+        {ShortcutSheet::tr("… also between frames"), ShortcutSheet::tr("Shift while dragging")},
+        {ShortcutSheet::tr("Zoom and move the ruler"), ShortcutSheet::tr("Wheel, middle drag")},
+        {ShortcutSheet::tr("Show the whole ruler"), ShortcutSheet::tr("Double click")},
+        {ShortcutSheet::tr("See what a clip looks like"), ShortcutSheet::tr("Point at it, Up, Down")},
+        {ShortcutSheet::tr("Choose a clip"), ShortcutSheet::tr("Click, Return")},
+        {ShortcutSheet::tr("Fit the timeline to a clip"), ShortcutSheet::tr("Double click")},
+    };
+    for (const QStringList& gesture : gestures)
+        new QTreeWidgetItem(&group, gesture);
+}
+
 void addFields(QTreeWidgetItem& group) {
     const QList<QStringList> fields{
         {ShortcutSheet::tr("Change a number"), ShortcutSheet::tr("Drag the field or its name")},
@@ -104,6 +118,7 @@ ShortcutSheet::ShortcutSheet(QMenuBar& menus, QWidget* parent) : QDialog(parent)
         if (const QMenu* menu = action->menu())
             addMenu(*addGroup(*list, plain(action->text())), *menu, {});
     addGestures(*addGroup(*list, tr("In the view")));
+    addTimeline(*addGroup(*list, tr("In the timeline")));
     addFields(*addGroup(*list, tr("In the panels")));
     list->expandAll();
     list->resizeColumnToContents(0);

@@ -19,6 +19,7 @@ namespace prizma {
 namespace {
 
 const QString statisticsKey = QStringLiteral("view/statistics");
+const QString skeletonsKey = QStringLiteral("view/skeletons");
 
 } // namespace
 
@@ -29,9 +30,10 @@ ViewActions::ViewActions(Document& document, RenderSession& session, Viewport& v
       viewport_(viewport),
       window_(window),
       frameSelected_(makeAction("zoom-fit-selection", tr("&Frame Selected"), {Qt::Key_F})),
-      frameAll_(makeAction("zoom-fit-best", tr("Frame &All"), {Qt::Key_Home, Qt::SHIFT | Qt::Key_F})),
+      frameAll_(makeAction("zoom-fit-best", tr("Frame &All"), {Qt::SHIFT | Qt::Key_F})),
       pause_(makeAction("media-playback-pause", tr("&Pause Rendering"), {Qt::Key_P})),
       statistics_(makeAction("view-statistics", tr("&Statistics"), {Qt::Key_F3})),
+      skeletons_(makeAction("skeleton", tr("S&keletons"), {Qt::Key_B})),
       shaders_(new QActionGroup(this)) {
     frameSelected_->setStatusTip(tr("Move the camera so that what is selected fills the view"));
     frameAll_->setStatusTip(tr("Move the camera so that the whole scene is in the view"));
@@ -47,6 +49,13 @@ ViewActions::ViewActions(Document& document, RenderSession& session, Viewport& v
         QSettings().setValue(statisticsKey, shown);
     });
     statistics_->setChecked(QSettings().value(statisticsKey, false).toBool());
+    skeletons_->setCheckable(true);
+    skeletons_->setStatusTip(tr("Show the bones of what is selected, or of everything, over the view"));
+    connect(skeletons_, &QAction::toggled, this, [this](bool shown) {
+        viewport_.setSkeletonsVisible(shown);
+        QSettings().setValue(skeletonsKey, shown);
+    });
+    skeletons_->setChecked(QSettings().value(skeletonsKey, false).toBool());
     makePresets();
     makeShaders();
     connect(&document_, &Document::sceneChanged, this, &ViewActions::showShader);
@@ -91,7 +100,7 @@ void ViewActions::fillViewMenu(QMenu& menu, const QList<QAction*>& panelActions,
     menu.addSeparator();
     menu.addActions(presets_);
     menu.addSeparator();
-    menu.addActions({pause_, statistics_});
+    menu.addActions({pause_, statistics_, skeletons_});
     menu.addSeparator();
     QMenu* panels = menu.addMenu(tr("Pa&nels"));
     panels->addActions(panelActions);

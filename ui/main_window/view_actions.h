@@ -48,6 +48,7 @@ class ViewActions : public QObject {
     QAction* frameAll_;
     QAction* pause_;
     QAction* statistics_;
+    QAction* skeletons_;
     QList<QAction*> presets_;
     QActionGroup* shaders_;
     QPointer<QDialog> devices_;

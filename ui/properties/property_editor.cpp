@@ -18,9 +18,7 @@
 namespace prizma {
 namespace {
 
-constexpr std::string_view clipKey = "clip";
-
-/// An object's clip is a text in the tables, but only its own clips make sense.
+/// Names of clips are texts in the tables, but only the object's own clips make sense.
 std::vector<ShownChoice> clipChoices(const Object& object) {
     std::vector<ShownChoice> choices{{"", PropertyEditor::tr("Bind pose")}};
     for (const ClipPtr& clip : object.clips)
@@ -30,7 +28,7 @@ std::vector<ShownChoice> clipChoices(const Object& object) {
 
 std::vector<ShownChoice> choicesFor(const Scene& scene, EntityRef entity, const PropertyInfo& property) {
     const Object* object = entity.kind == EntityKind::Object ? scene.findObject(entity.id) : nullptr;
-    return object && property.key == clipKey ? clipChoices(*object) : std::vector<ShownChoice>();
+    return object && namesClip(property.key) ? clipChoices(*object) : std::vector<ShownChoice>();
 }
 
 } // namespace
@@ -77,7 +75,12 @@ PropertyEditor::PropertyEditor(Document& document, QWidget* parent)
     layout->addWidget(area);
 
     connect(&document_, &Document::selectionChanged, this, &PropertyEditor::refresh);
-    connect(&document_, &Document::sceneChanged, this, &PropertyEditor::refresh);
+    connect(&document_, &Document::sceneChanged, this, [this](const SceneDiff& changes) {
+        // While playing, only the timeline's own properties have anything new to show.
+        const bool showsTimeline = !entities_.empty() && entities_.back().kind == EntityKind::Timeline;
+        if (!changes.isTimeOnly() || showsTimeline)
+            refresh();
+    });
     refresh();
 }
 

@@ -89,7 +89,9 @@ SceneTree::SceneTree(Document& document, QWidget* parent)
     // Rows come and go before the document tells of the selection: neither must be taken for a click.
     connect(model_, &QAbstractItemModel::rowsAboutToBeRemoved, this, [this] { syncing_ = true; });
     connect(model_, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] { syncing_ = true; });
-    connect(&document_, &Document::sceneChanged, this, [this] {
+    connect(&document_, &Document::sceneChanged, this, [this](const SceneDiff& changes) {
+        if (changes.isTimeOnly())
+            return; // the tree shows no time
         syncing_ = false;
         showSelection();
     });

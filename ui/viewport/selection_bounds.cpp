@@ -1,5 +1,7 @@
 #include "ui/viewport/selection_bounds.h"
 
+#include "core/animation/posed_bounds.h"
+
 namespace prizma {
 namespace {
 
@@ -26,7 +28,7 @@ DBounds selectionBounds(const Scene& scene, std::span<const EntityRef> selection
     for (const EntityRef& entity : selection) {
         if (entity.kind == EntityKind::Object) {
             if (const Object* object = scene.findObject(entity.id))
-                bounds.add(worldBounds(*object));
+                bounds.add(worldBounds(*object, scene.timeline.seconds()));
         } else if (entity.kind == EntityKind::Light) {
             if (const Light* light = scene.findLight(entity.id))
                 bounds.add(boundsOf(*light));

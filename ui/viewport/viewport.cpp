@@ -1,8 +1,11 @@
 #include "ui/viewport/viewport.h"
 
+#include "core/animation/pose_key.h"
+#include "core/animation/posed_bounds.h"
 #include "ui/document/document.h"
 #include "ui/viewport/render_session.h"
 #include "ui/viewport/selection_bounds.h"
+#include "ui/viewport/skeleton_overlay.h"
 #include "ui/viewport/statistics_overlay.h"
 
 #include <QContextMenuEvent>
@@ -29,6 +32,10 @@ QImage imageOf(const Frame& frame) {
     return view.convertToFormat(QImage::Format_RGB32);
 }
 
+bool isAnimated(const Object& object) {
+    return object.visible && isPosed(object) && findClip(object, object.clip);
+}
+
 } // namespace
 
 Viewport::Viewport(Document& document, RenderSession& session, QWidget* parent)
@@ -39,20 +46,30 @@ Viewport::Viewport(Document& document, RenderSession& session, QWidget* parent)
       meter_(this),
       gestureContext_(*this, document, session, clock_),
       gestures_(*this, gestureContext_),
+      skeletons_(new SkeletonOverlay(*this)),
       overlay_(new StatisticsOverlay(this)) {
     setAttribute(Qt::WA_OpaquePaintEvent);
     setFocusPolicy(Qt::StrongFocus);
     setAccessibleName(tr("Viewport"));
     overlay_->move(overlayMargin, overlayMargin);
     overlay_->hide();
+    skeletons_->hide();
     notice_.setDevice(session.device());
 
     connect(&document, &Document::sceneChanged, this, [this](const SceneDiff& changes) {
         if (changes.isEmpty())
             return;
+        // A picture in which nothing moves need not get coarser because the timeline plays.
+        const auto& objects = document_.scene().objects;
+        if (!changes.isTimeOnly() || std::any_of(objects.begin(), objects.end(), isAnimated))
+            clock_.noteChange();
+        requestPicture();
+    });
+    connect(&document, &Document::previewChanged, this, [this] {
         clock_.noteChange();
         requestPicture();
     });
+    connect(&document, &Document::selectionChanged, this, &Viewport::updateSkeletons);
     connect(&clock_, &InteractionClock::ended, this, &Viewport::requestPicture);
     connect(&gestures_, &GestureRouter::contextMenuRequested, this, &Viewport::contextMenuRequested);
     connect(&meter_, &FrameMeter::updated, this, [this](double fps) {
@@ -96,7 +113,7 @@ void Viewport::requestPicture() {
         return;
     requestedSize_ = pixelSize();
     RenderRequest request;
-    request.scene = document_.scene();
+    request.scene = document_.shownScene();
     request.width = requestedSize_.width();
     request.height = requestedSize_.height();
     request.interacting = clock_.isInteracting();
@@ -109,7 +126,7 @@ void Viewport::stopRendering() {
     if (requestedSize_.isEmpty())
         return;
     RenderRequest request;
-    request.scene = document_.scene();
+    request.scene = document_.shownScene();
     request.width = requestedSize_.width();
     request.height = requestedSize_.height();
     request.paused = true;
@@ -124,7 +141,13 @@ void Viewport::showFrame(const FramePtr& frame) {
     // show.
     if (frame->isFinal || framesPerSecond() == 0.0)
         updateStatistics();
+    updateSkeletons();
     update();
+}
+
+void Viewport::updateSkeletons() {
+    if (skeletons_->isVisibleTo(this))
+        skeletons_->show(frame_, document_.selection());
 }
 
 void Viewport::updateStatistics() {
@@ -146,6 +169,11 @@ void Viewport::setPaused(bool paused) {
 void Viewport::setStatisticsVisible(bool visible) {
     overlay_->setVisible(visible);
     updateStatistics();
+}
+
+void Viewport::setSkeletonsVisible(bool visible) {
+    skeletons_->setVisible(visible);
+    updateSkeletons();
 }
 
 bool Viewport::isStatisticsVisible() const {

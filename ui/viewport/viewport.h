@@ -17,6 +17,7 @@ namespace prizma {
 
 class Document;
 class RenderSession;
+class SkeletonOverlay;
 class StatisticsOverlay;
 
 /// The ray-traced picture of the document's scene. Asks for a new one whenever the scene or the view changes,
@@ -38,6 +39,8 @@ class Viewport : public QWidget {
 
     void setStatisticsVisible(bool visible);
     bool isStatisticsVisible() const;
+
+    void setSkeletonsVisible(bool visible); ///< Bones over the picture.
 
     double framesPerSecond() const; ///< Pictures shown in the last second; 0 when idle.
     FramePtr lastFrame() const { return frame_; }
@@ -73,6 +76,7 @@ class Viewport : public QWidget {
     void stopRendering();
     void showFrame(const FramePtr& frame);
     void updateStatistics();
+    void updateSkeletons();
     void frame(const DBounds& bounds);
     bool canBeSeen() const;
     QSize pixelSize() const;
@@ -84,7 +88,8 @@ class Viewport : public QWidget {
     GestureContext gestureContext_;
     GestureRouter gestures_;
     ViewportNotice notice_;
-    StatisticsOverlay* overlay_; ///< Owned as a child.
+    SkeletonOverlay* skeletons_; ///< Owned as a child, as the next.
+    StatisticsOverlay* overlay_;
     QPointer<QWidget> watchedWindow_;
 
     FramePtr frame_;

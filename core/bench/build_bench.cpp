@@ -2,6 +2,7 @@
 
 #include "core/bench/embree_peer.h"
 #include "core/bench/statistics_of.h"
+#include "core/bvh/tree_store.h"
 
 #include <algorithm>
 #include <set>
@@ -35,7 +36,7 @@ Result<Times> runOnce(const std::set<MeshPtr>& meshes, TreeLayout layout, bool f
         Progress progress;
         Result<Bvh> bvh;
         DeviceTree tree;
-        times.build += measure([&] { bvh = buildBvh(*mesh, {}, progress); });
+        times.build += measure([&] { bvh = buildBvh(*mesh, buildOptionsFor(layout), progress); });
         if (!bvh)
             return std::unexpected(bvh.error());
         times.layout += measure([&] { tree = layOutBottomLevel(*bvh, *mesh, layout); });
@@ -46,7 +47,7 @@ Result<Times> runOnce(const std::set<MeshPtr>& meshes, TreeLayout layout, bool f
         const auto triangles = static_cast<double>(mesh->triangles.size());
         report.triangles += mesh->triangles.size();
         report.bytesPerTriangle += static_cast<double>(bytesOf(tree)); // divided by the triangles in the end
-        report.sahCost += sahCost(*bvh, {}) * triangles;
+        report.sahCost += sahCost(*bvh, buildOptionsFor(layout)) * triangles;
         report.depth = std::max(report.depth, tree.depth);
     }
     return times;

@@ -17,7 +17,7 @@ struct RaySet {
     std::span<const DeviceRay> rays;
     RayQueryMode mode;
 
-    bool anyHit() const { return mode == RayQueryMode::Any; }
+    bool anyHit() const { return isOcclusion(mode); }
 };
 
 /// Whether two hits of a ray are at different places. On one and the same triangle they are not: what is left
@@ -131,7 +131,7 @@ Result<TraceResult> TraceBench::measureSet(const RaySet& set) {
         return std::unexpected(ok.error());
     if (auto warmUp = query_.trace(set.mode); !warmUp) // the kernel's first launch compiles it
         return std::unexpected(warmUp.error());
-    const bool coherent = set.mode == RayQueryMode::ClosestPacket;
+    const bool coherent = set.mode == RayQueryMode::ClosestPacket; // shadow rays' origins differ: not to Embree
     const auto rate = [&](double milliseconds) {
         return static_cast<double>(set.rays.size()) / std::max(milliseconds, 1e-6) * 1e-3;
     };
@@ -171,7 +171,7 @@ Result<TraceReport> TraceBench::run() {
     report.deviceBytes = query_.deviceBytes();
     const RaySet sets[] = {{"camera", sets_.camera, RayQueryMode::ClosestPacket},
                            {"diffuse", sets_.diffuse, RayQueryMode::Closest},
-                           {"shadow", sets_.shadow, RayQueryMode::Any}};
+                           {"shadow", sets_.shadow, RayQueryMode::AnyPacket}};
     for (const RaySet& set : sets) {
         if (set.rays.empty()) // the camera sees nothing that could bounce a ray
             continue;

@@ -5,8 +5,17 @@
 
 namespace prizma {
 
+BvhBuildOptions buildOptionsFor(TreeLayout layout) {
+    BvhBuildOptions options;
+    if (layout == TreeLayout::Binary2) { // a thread tests one triangle after the other
+        options.maxLeafSize = 4;
+        options.leafWidth = 1;
+    }
+    return options;
+}
+
 DeviceTreePtr buildTree(const Mesh& mesh, TreeLayout layout, Progress& progress) {
-    const auto bvh = buildBvh(mesh, {}, progress);
+    const auto bvh = buildBvh(mesh, buildOptionsFor(layout), progress);
     if (!bvh)
         return nullptr;
     return std::make_shared<const DeviceTree>(layOutBottomLevel(*bvh, mesh, layout));

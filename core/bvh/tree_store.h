@@ -14,6 +14,9 @@ namespace prizma {
 
 using DeviceTreePtr = std::shared_ptr<const DeviceTree>;
 
+/// What a build has to know of the device: how many triangles a leaf's test takes at a time.
+BvhBuildOptions buildOptionsFor(TreeLayout layout);
+
 /// Builds and lays out the bottom-level tree of a mesh. Null only if cancelled.
 DeviceTreePtr buildTree(const Mesh& mesh, TreeLayout layout, Progress& progress);
 

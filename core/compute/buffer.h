@@ -2,6 +2,7 @@
 
 #include "core/compute/cl_error.h"
 #include "core/compute/context.h"
+#include "core/compute/memory.h"
 
 #include <algorithm>
 #include <span>
@@ -36,8 +37,7 @@ class Buffer {
         if (memory_ && capacity_ >= count)
             return {};
         cl_int code = CL_SUCCESS;
-        ClMemory larger(
-            clCreateBuffer(context.context(), CL_MEM_READ_WRITE, count * sizeof(T), nullptr, &code));
+        ClMemory larger = createMemory(context, count * sizeof(T), code);
         if (code == CL_SUCCESS && memory_ && kept > 0)
             code = clEnqueueCopyBuffer(context.queue(), memory_.get(), larger.get(), 0, 0, kept * sizeof(T),
                                        0, nullptr, nullptr);

@@ -8,8 +8,16 @@ namespace prizma {
 /// soon after it was cancelled. Safe from any thread.
 class Progress {
   public:
-    void set(double fraction) { fraction_.store(fraction, std::memory_order_relaxed); }
+    void set(double fraction) {
+        fraction_.store(from_ + (to_ - from_) * fraction, std::memory_order_relaxed);
+    }
     double fraction() const { return fraction_.load(std::memory_order_relaxed); } ///< 0 to 1.
+
+    /// What `set` says from now on is about the part from `from` to `to`. For the working thread alone.
+    void beginPart(double from, double to) {
+        from_ = from;
+        to_ = to;
+    }
 
     void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
     bool isCancelled() const { return cancelled_.load(std::memory_order_relaxed); }
@@ -17,6 +25,7 @@ class Progress {
   private:
     std::atomic<double> fraction_{0.0};
     std::atomic<bool> cancelled_{false};
+    double from_ = 0.0, to_ = 1.0;
 };
 
 /// A step of a longer piece of work: its own 0 to 1 is a part of the whole.

@@ -435,6 +435,14 @@ sudo apt install pocl-opencl-icd</translation>
             <source>Fit timeline to %1</source>
             <translation>Idővonal igazítása: %1</translation>
         </message>
+        <message>
+            <source>Import models</source>
+            <translation>Modellek importálása</translation>
+        </message>
+        <message>
+            <source>Import animation</source>
+            <translation>Animáció importálása</translation>
+        </message>
     </context>
     <context>
         <name>prizma::EditActions</name>
@@ -647,6 +655,38 @@ sudo apt install pocl-opencl-icd</translation>
             <source>The picture was saved.</source>
             <translation>A kép elmentve.</translation>
         </message>
+        <message>
+            <source>Import A&amp;nimation…</source>
+            <translation>A&amp;nimáció importálása…</translation>
+        </message>
+        <message>
+            <source>Give the selected object the clips of animation files</source>
+            <translation>A kijelölt tárgy megkapja animációs fájlok klipjeit</translation>
+        </message>
+        <message>
+            <source>Animations (%1)</source>
+            <translation>Animációk (%1)</translation>
+        </message>
+        <message>
+            <source>Import Animations</source>
+            <translation>Animációk importálása</translation>
+        </message>
+        <message>
+            <source>No Object Can Be Animated</source>
+            <translation>Nincs mozgatható tárgy</translation>
+        </message>
+        <message>
+            <source>Select the object that the animation is for. It must have bones.</source>
+            <translation>Jelöld ki a tárgyat, amelyé az animáció lesz. Csontváza kell hogy legyen.</translation>
+        </message>
+        <message>
+            <source>%1 is an animation. Import the model that it belongs to as well, or select the object that it is for.</source>
+            <translation>A(z) %1 animáció. Importáld a hozzá tartozó modellt is, vagy jelöld ki a tárgyat, amelyé lesz.</translation>
+        </message>
+        <message>
+            <source>Looking at %1…</source>
+            <translation>%1 vizsgálata…</translation>
+        </message>
     </context>
     <context>
         <name>prizma::HelpActions</name>
@@ -680,6 +720,10 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>Importing %1…</source>
             <translation>%1 importálása…</translation>
+        </message>
+        <message>
+            <source>The object that the animation was for is no longer there.</source>
+            <translation>Már nincs meg a tárgy, amelyé az animáció lett volna.</translation>
         </message>
     </context>
     <context>
@@ -833,6 +877,14 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>&amp;Playback</source>
             <translation>&amp;Lejátszás</translation>
+        </message>
+        <message>
+            <source>%1 has a new clip</source>
+            <translation>%1 új klipet kapott</translation>
+        </message>
+        <message>
+            <source>%1 has %2 new clips</source>
+            <translation>%1 %2 új klipet kapott</translation>
         </message>
     </context>
     <context>

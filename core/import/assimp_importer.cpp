@@ -8,6 +8,7 @@
 #include "core/import/mesh_builder.h"
 
 #include <assimp/Importer.hpp>
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -183,13 +184,13 @@ class ModelBuilder {
     std::size_t notFinite_ = 0;
 };
 
-/// assimp falls back to a material file of the model's own name; that one is missing only if it was asked
-/// for.
+/// assimp falls back to a material file of the model's own name, which is missing only if it was asked for,
+/// and looks for MD5 animations on the off chance.
 void warnOfMissingFiles(const AssimpFiles& files, const std::string& model, Diagnostics& warnings) {
     const std::string fallback = std::filesystem::path(model).replace_extension("mtl").string();
     const bool another = files.missing().size() > 1;
     for (const std::string& file : files.missing())
-        if (file != fallback || !another)
+        if ((file != fallback || !another) && !file.ends_with(".md5anim"))
             warnings.push_back(
                 {Severity::Warning, "The file is missing; the model was read without it.", file, 0});
 }
@@ -207,6 +208,8 @@ class AssimpFile {
         : file_(file), progress_(progress), files_(file), handler_(progress, readingShare) {
         importer_.SetIOHandler(&files_);
         importer_.SetProgressHandler(&handler_);
+        // Otherwise FBX bones fall apart into helper nodes, others in a file of animation than in its model.
+        importer_.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, false);
     }
     AssimpFile(const AssimpFile&) = delete;
     AssimpFile& operator=(const AssimpFile&) = delete;

@@ -8,9 +8,17 @@
 namespace prizma {
 namespace {
 
+/// assimp puts nodes of its own ("<MD5_Root>") above those of some formats, others with a model than without.
+bool isInvented(std::string_view name) {
+    return name.starts_with('<') && name.ends_with('>');
+}
+
+/// Empty for a root.
 std::string_view parentName(const Skeleton& skeleton, const Bone& bone) {
-    return bone.parent < 0 ? std::string_view()
-                           : std::string_view(skeleton.bones[static_cast<std::size_t>(bone.parent)].name);
+    if (bone.parent < 0)
+        return {};
+    const std::string_view name = skeleton.bones[static_cast<std::size_t>(bone.parent)].name;
+    return isInvented(name) ? std::string_view() : name;
 }
 
 } // namespace
@@ -25,18 +33,19 @@ BonePairing::BonePairing(const Skeleton& animation, const Skeleton& model)
         const Bone& bone = animation.bones[i];
         const auto found = byName.find(bone.name);
         if (found == byName.end() || paired[static_cast<std::size_t>(found->second)]) {
-            excess_.push_back(bone.name);
+            if (!isInvented(bone.name))
+                excess_.push_back(bone.name);
             continue;
         }
         const auto index = static_cast<std::size_t>(found->second);
         modelBones_[i] = found->second;
         paired[index] = true;
         ++pairs_;
-        if (parentName(animation, bone) != parentName(model, model.bones[index]))
+        if (!isInvented(bone.name) && parentName(animation, bone) != parentName(model, model.bones[index]))
             elsewhere_.push_back(bone.name);
     }
     for (std::size_t i = 0; i < model.bones.size(); ++i)
-        if (!paired[i])
+        if (!paired[i] && !isInvented(model.bones[i].name))
             lacking_.push_back(model.bones[i].name);
 }
 

@@ -1,6 +1,7 @@
 #include "core/import/import_batch.h"
 
 #include "core/import/file_finder.h"
+#include "core/import/qc_importer.h"
 
 #include <filesystem>
 #include <optional>
@@ -42,13 +43,17 @@ std::string withoutExtension(const std::string& file) {
 } // namespace
 
 BatchFiles sortFiles(const std::vector<std::string>& files) {
-    std::set<std::string> stems;
-    for (const std::string& file : files)
-        if (lowerExtension(file) == "smd")
-            stems.insert(withoutExtension(file));
+    std::set<std::string> included; // they come with another file
+    for (const std::string& file : files) {
+        const std::string extension = lowerExtension(file);
+        if (extension == "smd")
+            included.insert(withoutExtension(file) + ".vta");
+        else if (extension == "qc")
+            included.merge(filesOfQc(absolutePath(file)));
+    }
     BatchFiles sorted;
     for (const std::string& file : files)
-        if (lowerExtension(file) != "vta" || !stems.contains(withoutExtension(file)))
+        if (!included.contains(absolutePath(file)))
             (isAnimationFile(file) ? sorted.animations : sorted.models).push_back(file);
     return sorted;
 }
@@ -56,7 +61,14 @@ BatchFiles sortFiles(const std::vector<std::string>& files) {
 ImportBatch importBatch(const BatchFiles& files, const std::vector<ImportOptions>& options,
                         Progress& progress) {
     ImportBatch batch;
+    const auto count = static_cast<double>(files.models.size() + files.animations.size());
+    double done = 0.0;
+    const auto nextPart = [&] {
+        progress.beginPart(done / count, (done + 1.0) / count);
+        done += 1.0;
+    };
     for (std::size_t i = 0; i < files.models.size(); ++i) {
+        nextPart();
         auto model = importModel(files.models[i], options[i], progress);
         if (!model) {
             batch.faults.push_back(model.error());
@@ -70,9 +82,11 @@ ImportBatch importBatch(const BatchFiles& files, const std::vector<ImportOptions
     }
     if (!files.models.empty() && batch.models.empty())
         return batch; // the models' faults say it all
-    for (const std::string& file : files.animations)
-        if (auto done = addToBestModel(file, batch.models, progress); !done)
-            batch.faults.push_back(done.error());
+    for (const std::string& file : files.animations) {
+        nextPart();
+        if (auto added = addToBestModel(file, batch.models, progress); !added)
+            batch.faults.push_back(added.error());
+    }
     return batch;
 }
 

@@ -24,8 +24,8 @@ struct BatchFiles {
     std::vector<std::string> models, animations; ///< In the order given.
 };
 
-/// Tells models and mere animations apart; looks into SMDs. The flexes (VTA) of an SMD that is among the
-/// files come with that one.
+/// Tells models and mere animations apart; looks into SMDs. Leaves out what comes with another of the files:
+/// the flexes (VTA) of an SMD, and all that a QC names.
 BatchFiles sortFiles(const std::vector<std::string>& files);
 
 /// Reads the models, each with its options, and then the animations. Each goes to the model that it suits

@@ -16,6 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t mostPoses = 20'000'000; ///< Of all sequences together: about 800 MB.
+constexpr std::size_t mostFolders = 64;
 constexpr int mostParentFolders = 6; ///< How far above the script a game's folder of materials is looked for.
 
 std::string folderOf(const std::string& file) {
@@ -39,6 +40,8 @@ Result<QcModel> readQcFile(const std::string& file) {
 }
 
 void addFolder(std::vector<std::string>& folders, const std::string& base, const std::string& name) {
+    if (folders.size() >= mostFolders)
+        return;
     if (const auto found = findFolder(base, name);
         found && std::ranges::find(folders, *found) == folders.end())
         folders.push_back(*found);
@@ -71,10 +74,28 @@ class QcImporter {
         return builder_.finish(&textures);
     }
 
+    std::set<std::string> files() const {
+        std::set<std::string> files;
+        const auto add = [&](const std::string& name, const char* extension) {
+            if (auto found = find(name, extension))
+                files.insert(std::move(*found));
+        };
+        for (const QcBody& body : qc_.bodies) {
+            add(body.file, "smd");
+            add(body.flexFile, "vta");
+        }
+        for (const QcSequence& sequence : qc_.sequences)
+            add(sequence.file, "smd");
+        return files;
+    }
+
   private:
     /// A file that the script names, with the extension that it may leave out.
     Result<std::string> find(const std::string& name, const std::string& extension) const {
-        for (const std::string& wanted : {name, name + "." + extension})
+        std::string extended = name;
+        extended += '.';
+        extended += extension;
+        for (const std::string& wanted : {name, extended})
             if (lowerExtension(wanted) == extension)
                 for (const std::string& folder : modelFolders_)
                     if (auto found = findFile(folder, wanted))
@@ -93,18 +114,20 @@ class QcImporter {
 
     Result<void> addBodies() {
         Diagnostic lastFault{Severity::Error, "There are no triangles in it.", file_, 0};
-        for (std::size_t i = 0; i < qc_.bodies.size(); ++i) {
+        const auto count = static_cast<double>(qc_.bodies.size());
+        double done = 0.0;
+        for (const QcBody& body : qc_.bodies) {
             if (progress_.isCancelled())
                 return failure("The import was cancelled.", file_);
-            const double count = static_cast<double>(qc_.bodies.size());
-            const auto part = ProgressPart(progress_).part(0.4 * static_cast<double>(i) / count,
-                                                           0.4 * (static_cast<double>(i) + 1) / count);
-            if (auto done = addBody(qc_.bodies[i], part); !done) {
-                lastFault = done.error();
-                if (lastFault.file.empty())
-                    lastFault.file = qc_.bodies[i].script, lastFault.line = qc_.bodies[i].line;
-                warn("The body \"" + qc_.bodies[i].file + "\" was left out", done.error(),
-                     qc_.bodies[i].script, qc_.bodies[i].line);
+            const auto part = ProgressPart(progress_).part(0.4 * done / count, 0.4 * (done + 1.0) / count);
+            done += 1.0;
+            if (auto added = addBody(body, part); !added) {
+                lastFault = added.error();
+                if (lastFault.file.empty()) {
+                    lastFault.file = body.script;
+                    lastFault.line = body.line;
+                }
+                warn("The body \"" + body.file + "\" was left out", added.error(), body.script, body.line);
             }
         }
         if (!builder_.hasTriangles())
@@ -119,14 +142,17 @@ class QcImporter {
         const auto text = readTextFile(*file, mostModelBytes);
         if (!text)
             return std::unexpected(text.error());
-        auto smd = readSmd(*text, *file, progress);
+        const auto smd = readSmd(*text, *file, progress);
         if (!smd)
             return std::unexpected(smd.error());
         if (smd->corners.empty())
             return failure("There are no triangles in it.", *file);
+        if (auto done = builder_.addBody(*smd, {options_.upAxis, options_.unitScale * body.scale}, *file);
+            !done)
+            return done;
         bodyFolders_.insert(folderOf(*file));
         bodiesRead_.push_back(&body);
-        return builder_.addBody(std::move(*smd), {options_.upAxis, options_.unitScale * body.scale}, *file);
+        return {};
     }
 
     void addFlexes() {
@@ -249,6 +275,12 @@ Result<ImportedModel> importQcClips(const std::string& file, const ImportOptions
     if (!qc)
         return std::unexpected(qc.error());
     return QcImporter(file, std::move(*qc), options, progress).import(false);
+}
+
+std::set<std::string> filesOfQc(const std::string& file) {
+    auto qc = readQcFile(file);
+    Progress progress;
+    return qc ? QcImporter(file, std::move(*qc), {}, progress).files() : std::set<std::string>();
 }
 
 SmdSpace spaceOfQc(const std::string& file) {

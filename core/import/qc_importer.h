@@ -3,6 +3,7 @@
 #include "core/import/model_importer.h"
 #include "core/import/smd_skeleton.h"
 
+#include <set>
 #include <string>
 
 namespace prizma {
@@ -15,6 +16,9 @@ Result<ImportedModel> importQc(const std::string& file, const ImportOptions& opt
 /// The same without pictures and without warnings of their absence: for who wants the clips.
 Result<ImportedModel> importQcClips(const std::string& file, const ImportOptions& options,
                                     Progress& progress);
+
+/// The absolute paths of the models, animations and flexes that a QC script names and that exist.
+std::set<std::string> filesOfQc(const std::string& file);
 
 /// The axis that a QC script says is up and the scale of its first body: how an animation for it is to be
 /// read. As for a bare SMD (Z, 1) if it does not say or cannot be read.

@@ -42,7 +42,7 @@ Result<void> addOwnClip(SmdModelBuilder& builder, const SmdFile& smd, const SmdS
     return {};
 }
 
-Result<void> addBody(SmdModelBuilder& builder, SmdFile smd, const ImportOptions& options,
+Result<void> addBody(SmdModelBuilder& builder, const SmdFile& smd, const ImportOptions& options,
                      const std::string& file) {
     if (!smd.hasTriangles)
         return failure(std::string(animationIsNoModel), file);
@@ -53,16 +53,10 @@ Result<void> addBody(SmdModelBuilder& builder, SmdFile smd, const ImportOptions&
         builder.warnings().push_back(
             {Severity::Warning, "The skeleton has no frame, so that the bones have no places of their own.",
              file, 0});
-    SmdFile motion;
-    if (smd.frameCount > 1) {
-        motion.bones = smd.bones;
-        motion.frameCount = smd.frameCount;
-        motion.keys = smd.keys;
-    }
-    if (auto done = builder.addBody(std::move(smd), space, file); !done)
+    if (auto done = builder.addBody(smd, space, file); !done)
         return done;
     builder.buildMesh();
-    return motion.frameCount > 1 ? addOwnClip(builder, motion, space, file) : Result<void>();
+    return smd.frameCount > 1 ? addOwnClip(builder, smd, space, file) : Result<void>();
 }
 
 void addFlexesBeside(SmdModelBuilder& builder, const std::string& file, const ProgressPart& progress) {
@@ -80,20 +74,21 @@ void addFlexesBeside(SmdModelBuilder& builder, const std::string& file, const Pr
 
 } // namespace
 
-Result<ImportedModel> buildSmdModel(SmdFile smd, const std::string& file, const ImportOptions& options) {
+Result<ImportedModel> buildSmdModel(const SmdFile& smd, const std::string& file,
+                                    const ImportOptions& options) {
     SmdModelBuilder builder;
-    if (auto done = addBody(builder, std::move(smd), options, file); !done)
+    if (auto done = addBody(builder, smd, options, file); !done)
         return std::unexpected(done.error());
     return builder.finish(nullptr);
 }
 
 Result<ImportedModel> importSmd(const std::string& file, const ImportOptions& options, Progress& progress) {
     const ProgressPart whole(progress);
-    auto smd = readSmdFile(file, whole.part(0.0, 0.6));
+    const auto smd = readSmdFile(file, whole.part(0.0, 0.6));
     if (!smd)
         return std::unexpected(smd.error());
     SmdModelBuilder builder;
-    if (auto done = addBody(builder, std::move(*smd), options, file); !done)
+    if (auto done = addBody(builder, *smd, options, file); !done)
         return std::unexpected(done.error());
     addFlexesBeside(builder, file, whole.part(0.8, 0.9));
     if (progress.isCancelled())

@@ -12,7 +12,8 @@ namespace prizma {
 Result<ImportedModel> importSmd(const std::string& file, const ImportOptions& options, Progress& progress);
 
 /// The same of an SMD that was read already, without pictures and flexes. What the fuzzer calls.
-Result<ImportedModel> buildSmdModel(SmdFile smd, const std::string& file, const ImportOptions& options);
+Result<ImportedModel> buildSmdModel(const SmdFile& smd, const std::string& file,
+                                    const ImportOptions& options);
 
 /// An SMD animation, read by itself.
 struct SmdAnimation {

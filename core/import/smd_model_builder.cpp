@@ -14,6 +14,8 @@
 namespace prizma {
 namespace {
 
+constexpr std::size_t mostTriangles =
+    20'000'000;                        ///< Of all bodies together, which may be one file many times.
 constexpr double creaseDegrees = 40.0; ///< Where a file has no normals.
 
 bool isIdentity(const glm::dmat4& matrix, double tolerance) {
@@ -30,8 +32,10 @@ void append(Diagnostics& list, Diagnostics more) {
 
 } // namespace
 
-Result<void> SmdModelBuilder::addBody(SmdFile smd, const SmdSpace& space, const std::string& file) {
-    append(warnings(), std::move(smd.warnings));
+Result<void> SmdModelBuilder::addBody(const SmdFile& smd, const SmdSpace& space, const std::string& file) {
+    if (smd.triangleMaterials.size() + soup_.triangleCount() > mostTriangles)
+        return failure("The model has too many triangles.", file);
+    append(warnings(), smd.warnings);
     const auto own = makeSmdSkeleton(smd, space, file, warnings());
     if (!own)
         return std::unexpected(own.error());

@@ -20,7 +20,7 @@ namespace prizma {
 class SmdModelBuilder {
   public:
     /// Errors: places too large to compute with.
-    Result<void> addBody(SmdFile smd, const SmdSpace& space, const std::string& file);
+    Result<void> addBody(const SmdFile& smd, const SmdSpace& space, const std::string& file);
 
     bool hasTriangles() const { return soup_.triangleCount() > 0; }
     void buildMesh();

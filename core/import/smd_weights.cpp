@@ -73,12 +73,12 @@ Result<void> SmdWeights::complete(int firstBone, int line) {
     }
     std::ranges::sort(list_, {}, &BoneInfluence::bone);
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-        const BoneInfluence influence{list_[i].bone, static_cast<float>(list_[i].weight / sum)};
-        if (kept > 0 && list_[kept - 1].bone == influence.bone)
-            list_[kept - 1].weight += influence.weight;
+    for (const BoneInfluence& influence : list_) { // kept never overtakes it
+        const BoneInfluence part{influence.bone, static_cast<float>(influence.weight / sum)};
+        if (kept > 0 && list_[kept - 1].bone == part.bone)
+            list_[kept - 1].weight += part.weight;
         else
-            list_[kept++] = influence;
+            list_[kept++] = part;
     }
     list_.resize(kept);
     return {};

@@ -59,7 +59,7 @@ std::optional<std::string> TextureFinder::find(const std::string& materialName) 
         return std::nullopt;
     if (name.find('/') != std::string::npos && isPictureName(name))
         for (const std::string& folder : folders_)
-            if (const auto file = findFile(folder, name))
+            if (auto file = findFile(folder, name))
                 return file;
     const auto names = candidates(name);
     for (const std::string& folder : folders_) {

@@ -89,8 +89,9 @@ class VtaReader {
         if (const auto name = names_.find(frame.time); name != names_.end())
             frame.name = name->second;
         std::ranges::stable_sort(frame.vertices, {}, &VtaVertex::id);
-        const auto repeated = std::ranges::unique(frame.vertices, {}, &VtaVertex::id);
-        frame.vertices.erase(repeated.begin(), repeated.end());
+        const auto sameId = [](const VtaVertex& a, const VtaVertex& b) { return a.id == b.id; };
+        frame.vertices.erase(std::unique(frame.vertices.begin(), frame.vertices.end(), sameId),
+                             frame.vertices.end());
     }
 
     SmdBlocks blocks_;

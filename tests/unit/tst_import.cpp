@@ -1,3 +1,5 @@
+#include "core/animation/pose.h"
+#include "core/import/animation_importer.h"
 #include "core/import/model_importer.h"
 
 #include <QDir>
@@ -218,6 +220,102 @@ class TestImport : public QObject {
             const auto model = import(write("bent.obj", bent));
             QVERIFY(model ? isSound(*model) : !model.error().message.empty());
         }
+    }
+
+    /// skins/bend.fbx is bend.gltf without its topmost node, as assimp exported it (the times of its keys set
+    /// right by hand): it must move as that one does.
+    void fbxMovesAsGltfDoes() {
+        const auto gltf = import(data("bend.gltf"));
+        const auto fbx = import(data("skins/bend.fbx"));
+        QVERIFY2(gltf && fbx, fbx ? "" : describe(fbx.error()).c_str());
+        QCOMPARE(fbx->clips.size(), std::size_t(1));
+        QVERIFY(fbx->mesh->isSkinned());
+        for (const Bone& bone : fbx->mesh->skeleton->bones)
+            QVERIFY2(bone.name.find("$Assimp") == std::string::npos, bone.name.c_str());
+        const auto posed = [](const ImportedModel& model, double seconds, const glm::dmat4& top) {
+            std::vector<glm::dvec3> points;
+            const Mesh& mesh = *model.mesh;
+            const auto matrices =
+                skinningMatrices(*mesh.skeleton, evaluateClip(*mesh.skeleton, *model.clips[0], seconds));
+            for (const glm::uvec3& triangle : mesh.triangles)
+                for (glm::length_t corner = 0; corner < 3; ++corner) {
+                    const std::uint32_t vertex = triangle[corner];
+                    glm::dvec4 sum(0.0);
+                    for (auto k = mesh.firstInfluence[vertex]; k < mesh.firstInfluence[vertex + 1]; ++k)
+                        sum += static_cast<double>(mesh.influences[k].weight) *
+                               glm::dvec4(matrices[mesh.influences[k].bone] *
+                                          glm::vec4(mesh.positions[vertex], 1.0F));
+                    points.emplace_back(top * sum);
+                }
+            return points;
+        };
+        Transform top;
+        top.translation = {1, 2, 3};
+        top.rotation = rotationFromEulerDegrees({0, 90, 0});
+        top.scale = glm::dvec3(2.0);
+        for (const double seconds : {0.0, 0.3, 0.7, 1.0}) {
+            const auto expected = posed(*gltf, seconds, glm::dmat4(1.0));
+            const auto found = posed(*fbx, seconds, top.matrix());
+            QCOMPARE(found.size(), expected.size());
+            for (std::size_t i = 0; i < expected.size(); ++i)
+                QVERIFY2(glm::length(found[i] - expected[i]) < 0.02,
+                         qPrintable(QString("corner %1 after %2 s").arg(i).arg(seconds)));
+        }
+    }
+
+    void animationsOfOtherFormats_data() {
+        QTest::addColumn<QString>("model");
+        QTest::addColumn<QString>("animation");
+        QTest::addColumn<QString>("bone");
+        QTest::addColumn<QString>("clip");
+        QTest::newRow("glTF") << "bend.gltf"
+                              << "bend.gltf"
+                              << "tip"
+                              << "bend";
+        QTest::newRow("Collada without a model") << "bend.gltf"
+                                                 << "skins/tip.dae"
+                                                 << "tip"
+                                                 << "";
+        QTest::newRow("FBX") << "skins/bend.fbx"
+                             << "skins/bend.fbx"
+                             << "tip"
+                             << "bend";
+        QTest::newRow("MD5") << "skins/flag.md5mesh"
+                             << "skins/blow.md5anim"
+                             << "cloth"
+                             << "blow";
+    }
+    void animationsOfOtherFormats() {
+        QFETCH(QString, model);
+        QFETCH(QString, animation);
+        QFETCH(QString, bone);
+        QFETCH(QString, clip);
+        const auto imported = import(data(model.toUtf8().constData()));
+        QVERIFY2(imported, imported ? "" : describe(imported.error()).c_str());
+        QVERIFY(imported->mesh->isSkinned());
+        const Skeleton& skeleton = *imported->mesh->skeleton;
+        MeshSource source;
+        source.file = data(model.toUtf8().constData());
+        Progress progress;
+        const auto added = importAnimation(data(animation.toUtf8().constData()), skeleton, source, progress);
+        QVERIFY2(added, added ? "" : describe(added.error()).c_str());
+        QCOMPARE(added->clips.size(), std::size_t(1));
+        const Clip& found = *added->clips[0];
+        QVERIFY(clip.isEmpty() || found.name == clip.toStdString());
+        QVERIFY(found.frameCount > 1);
+        bool moves = false; // the bone that is animated, and none that is not there
+        for (const BoneTrack& track : found.tracks) {
+            QCOMPARE(track.frames.size(), static_cast<std::size_t>(found.frameCount));
+            const Bone& moved = skeleton.bones.at(static_cast<std::size_t>(track.bone));
+            if (moved.name == bone.toStdString())
+                moves = !(track.frames.front() == track.frames[track.frames.size() / 2]);
+        }
+        QVERIFY(moves);
+        if (model == animation) // what the model brought along, once more
+            for (std::size_t i = 0; i < found.tracks.size(); ++i) {
+                QCOMPARE(found.tracks[i].bone, imported->clips[0]->tracks[i].bone);
+                QVERIFY(found.tracks[i].frames == imported->clips[0]->tracks[i].frames);
+            }
     }
 
     void cancelling() {

@@ -1,3 +1,4 @@
+#include "core/import/import_batch.h"
 #include "core/import/qc_importer.h"
 #include "core/import/qc_lexer.h"
 #include "core/import/qc_reader.h"
@@ -253,6 +254,16 @@ class TestQc : public QObject {
             QVERIFY2(model, model ? "" : describe(model.error()).c_str());
             QVERIFY(model->clips.empty());
         }
+    }
+
+    void filesThatComeWithOthers() {
+        const BatchFiles sorted =
+            sortFiles({data("wave.smd"), data("arm.smd"), data("arm.vta"), data("arm.qc")});
+        QCOMPARE(sorted.models, std::vector{data("arm.qc")});
+        QVERIFY(sorted.animations.empty());
+        const BatchFiles bare = sortFiles({data("wave.smd"), data("arm.smd"), data("arm.vta")});
+        QCOMPARE(bare.models, std::vector{data("arm.smd")});
+        QCOMPARE(bare.animations, std::vector{data("wave.smd")});
     }
 
     void gameFolders() {

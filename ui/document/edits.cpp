@@ -79,11 +79,46 @@ void assignMaterial(Document& document, const std::vector<Id>& objects, int slot
                   [&](Scene& scene) { assignMaterial(scene, objects, slot, material); });
 }
 
-Id addImportedModel(Document& document, const ImportedModel& model, const MeshSource& source) {
-    Id id = noId;
-    document.edit(Document::tr("Import model"), [&](Scene& scene) { id = addModel(scene, model, source); });
-    document.setSelection({{EntityKind::Object, id}});
-    return id;
+std::vector<Id> addImportedModels(Document& document, const std::vector<BatchModel>& models) {
+    std::vector<Id> ids;
+    document.edit(models.size() == 1 ? Document::tr("Import model") : Document::tr("Import models"),
+                  [&](Scene& scene) {
+                      for (const BatchModel& model : models)
+                          ids.push_back(addModel(scene, model));
+                  });
+    std::vector<EntityRef> selection;
+    for (const Id id : ids)
+        selection.push_back({EntityKind::Object, id});
+    document.setSelection(selection);
+    return ids;
+}
+
+void addImportedAnimations(Document& document, Id object, const std::vector<ImportedAnimation>& animations) {
+    document.edit(Document::tr("Import animation"), [&](Scene& scene) {
+        for (Object& candidate : scene.objects.edit())
+            if (candidate.id == object)
+                for (const ImportedAnimation& animation : animations)
+                    addAnimation(candidate, animation);
+    });
+}
+
+Id animationTarget(const Document& document) {
+    const auto hasBones = [](const Object* object) {
+        return object && object->mesh && object->mesh->skeleton;
+    };
+    const std::vector<Id> selected = selectedObjects(document);
+    for (auto id = selected.rbegin(); id != selected.rend(); ++id)
+        if (hasBones(document.scene().findObject(*id)))
+            return *id;
+    Id only = noId;
+    for (const Object& object : document.scene().objects) {
+        if (!hasBones(&object))
+            continue;
+        if (only != noId)
+            return noId;
+        only = object.id;
+    }
+    return only;
 }
 
 std::vector<Id> selectedObjects(const Document& document) {

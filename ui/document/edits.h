@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/import/model_importer.h"
+#include "core/import/import_batch.h"
 #include "core/scene/scene.h"
 
 #include <QString>
@@ -23,8 +23,15 @@ void addMaterial(Document& document);
 /// `slot` negative: in all slots.
 void assignMaterial(Document& document, const std::vector<Id>& objects, int slot, Id material);
 
-/// Gives the new object's id.
-Id addImportedModel(Document& document, const ImportedModel& model, const MeshSource& source);
+/// Adds the models, each with its animations. Gives the new objects' ids.
+std::vector<Id> addImportedModels(Document& document, const std::vector<BatchModel>& models);
+
+/// Gives an object clips.
+void addImportedAnimations(Document& document, Id object, const std::vector<ImportedAnimation>& animations);
+
+/// The object that an imported animation is for: the last of the selected ones that has bones, else the only
+/// one of the scene that has. noId if neither exists.
+Id animationTarget(const Document& document);
 
 /// The ids of the selected objects.
 std::vector<Id> selectedObjects(const Document& document);

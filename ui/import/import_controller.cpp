@@ -13,11 +13,41 @@ ImportController::ImportController(Document& document, QObject* parent)
     : QObject(parent), document_(document) {}
 
 void ImportController::importModel(const QString& file, const ImportOptions& options) {
-    enqueue({QFileInfo(file).absoluteFilePath(), options, false});
+    importTogether({{toStdString(QFileInfo(file).absoluteFilePath())}, {}}, options);
+}
+
+void ImportController::importTogether(const BatchFiles& files, const ImportOptions& options) {
+    const QString name = QFileInfo(toQString(files.models.front())).fileName();
+    enqueue({tr("Importing %1…").arg(name),
+             [this, files, options](Progress& progress) -> BackgroundJob::Delivery {
+                 const std::vector<ImportOptions> all(files.models.size(), options);
+                 auto batch = std::make_shared<ImportBatch>(importBatch(files, all, progress));
+                 return [this, batch] { deliverBatch(*batch); };
+             }});
+}
+
+void ImportController::importAnimations(const QStringList& files, Id object) {
+    const Object* target = document_.scene().findObject(object);
+    if (files.isEmpty() || !target || !target->mesh || !target->mesh->skeleton)
+        return;
+    AnimationTask task{object, target->mesh, target->source, {}};
+    for (const QString& file : files)
+        task.files.push_back(toStdString(QFileInfo(file).absoluteFilePath()));
+    const QString name = QFileInfo(files.front()).fileName();
+    enqueue({tr("Importing %1…").arg(name), [this, task](Progress& progress) -> BackgroundJob::Delivery {
+                 auto result = std::make_shared<AnimationResult>(readAnimations(task, progress));
+                 return [this, task, result] { deliverAnimations(task, *result); };
+             }});
 }
 
 void ImportController::loadProject(const QString& file) {
-    enqueue({QFileInfo(file).absoluteFilePath(), {}, true});
+    const QString path = QFileInfo(file).absoluteFilePath();
+    enqueue({tr("Opening %1…").arg(QFileInfo(file).fileName()),
+             [this, path](Progress& progress) -> BackgroundJob::Delivery {
+                 auto project =
+                     std::make_shared<Result<Project>>(prizma::loadProject(toStdString(path), progress));
+                 return [this, path, project] { deliverProject(path, std::move(*project)); };
+             }});
 }
 
 void ImportController::cancel() {
@@ -37,24 +67,9 @@ void ImportController::startNext() {
         Q_EMIT finished();
         return;
     }
-    const Task task = waiting_.front();
+    Task task = std::move(waiting_.front());
     waiting_.pop_front();
-    const std::string path = toStdString(task.file);
-    BackgroundJob::Work work;
-    if (task.isProject)
-        work = [this, task, path](Progress& progress) -> BackgroundJob::Delivery {
-            auto project = std::make_shared<Result<Project>>(prizma::loadProject(path, progress));
-            return [this, task, project] { deliverProject(task.file, std::move(*project)); };
-        };
-    else
-        work = [this, task, path](Progress& progress) -> BackgroundJob::Delivery {
-            auto model =
-                std::make_shared<Result<ImportedModel>>(prizma::importModel(path, task.options, progress));
-            return [this, task, model] { deliverModel(task, *model); };
-        };
-    const QString name = QFileInfo(task.file).fileName();
-    job_ =
-        new BackgroundJob((task.isProject ? tr("Opening %1…") : tr("Importing %1…")).arg(name), work, this);
+    job_ = new BackgroundJob(task.label, std::move(task.work), this);
     connect(job_, &BackgroundJob::progressed, this, &ImportController::progressed);
     connect(job_, &BackgroundJob::finished, this, [this] {
         job_ = nullptr;
@@ -63,22 +78,57 @@ void ImportController::startNext() {
     Q_EMIT started(job_->label());
 }
 
-void ImportController::deliverModel(const Task& task, const Result<ImportedModel>& model) {
-    if (!model) {
-        tellFailure(task.file, model.error());
+ImportController::AnimationResult ImportController::readAnimations(const AnimationTask& task,
+                                                                   Progress& progress) {
+    AnimationResult result;
+    const auto count = static_cast<double>(task.files.size());
+    for (std::size_t i = 0; i < task.files.size() && !progress.isCancelled(); ++i) {
+        progress.beginPart(static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+        auto animation = importAnimation(task.files[i], *task.mesh->skeleton, task.source, progress);
+        if (animation)
+            result.animations.push_back(std::move(*animation));
+        else
+            result.faults.push_back(animation.error());
+    }
+    return result;
+}
+
+void ImportController::deliverBatch(const ImportBatch& batch) {
+    for (const Diagnostic& fault : batch.faults)
+        tellFailure(toQString(fault.file), fault);
+    if (batch.models.empty())
+        return;
+    const std::vector<Id> objects = addImportedModels(document_, batch.models);
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        tellWarnings(warningsOf(batch.models[i]));
+        Q_EMIT modelImported(objects[i], toQString(batch.models[i].source.file));
+    }
+}
+
+void ImportController::deliverAnimations(const AnimationTask& task, const AnimationResult& result) {
+    for (const Diagnostic& fault : result.faults)
+        tellFailure(toQString(fault.file), fault);
+    const Object* object = document_.scene().findObject(task.object);
+    if (result.animations.empty())
+        return;
+    if (!object || object->mesh != task.mesh) {
+        Q_EMIT message({Severity::Warning,
+                        toStdString(tr("The object that the animation was for is no longer there.")),
+                        result.animations.front().file, 0});
         return;
     }
-    MeshSource source;
-    source.file = toStdString(task.file);
-    source.upAxis = task.options.upAxis;
-    source.unitScale = task.options.unitScale;
-    const Id object = addImportedModel(document_, *model, source);
-    for (Diagnostic warning : model->warnings) {
-        if (warning.file.empty())
-            warning.file = source.file;
-        Q_EMIT message(warning);
+    addImportedAnimations(document_, task.object, result.animations);
+    int clips = 0;
+    for (const ImportedAnimation& animation : result.animations) {
+        tellWarnings(animation.warnings);
+        clips += static_cast<int>(animation.clips.size());
     }
-    Q_EMIT modelImported(object, task.file);
+    Q_EMIT animationsImported(task.object, clips);
+}
+
+void ImportController::tellWarnings(const Diagnostics& warnings) {
+    for (const Diagnostic& warning : warnings)
+        Q_EMIT message(warning);
 }
 
 void ImportController::deliverProject(const QString& file, Result<Project> project) {
@@ -88,8 +138,7 @@ void ImportController::deliverProject(const QString& file, Result<Project> proje
     }
     const Diagnostics warnings = project->warnings;
     Q_EMIT projectLoaded(file, std::make_shared<Project>(std::move(*project)));
-    for (const Diagnostic& warning : warnings)
-        Q_EMIT message(warning);
+    tellWarnings(warnings);
 }
 
 void ImportController::tellFailure(const QString& file, Diagnostic diagnostic) {

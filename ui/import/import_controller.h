@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/diagnostic.h"
-#include "core/import/model_importer.h"
+#include "core/import/import_batch.h"
 #include "core/project/project_file.h"
 #include "ui/import/background_job.h"
 
@@ -26,6 +26,13 @@ class ImportController : public QObject {
 
     void importModel(const QString& file, const ImportOptions& options);
 
+    /// Brings in models and the animations that belong to them, as one step. `options` are for all models.
+    void importTogether(const BatchFiles& files, const ImportOptions& options);
+
+    /// Gives the object, which has bones, the clips of animation files, as one step. Files that cannot be
+    /// read are told of and left out.
+    void importAnimations(const QStringList& files, Id object);
+
     /// Reads a project. What becomes of it is up to who listens to `projectLoaded`.
     void loadProject(const QString& file);
 
@@ -39,18 +46,31 @@ class ImportController : public QObject {
     void message(const prizma::Diagnostic& diagnostic);
     void failed(const QString& file, const QString& reason); ///< Told by `message` as well.
     void modelImported(prizma::Id object, const QString& file);
+    void animationsImported(prizma::Id object, int clips);
     void projectLoaded(const QString& file, std::shared_ptr<prizma::Project> project);
 
   private:
     struct Task {
-        QString file;
-        ImportOptions options;
-        bool isProject = false;
+        QString label;
+        BackgroundJob::Work work;
+    };
+    struct AnimationTask {
+        Id object = noId;
+        MeshPtr mesh; ///< The object's when it began: clips fit no other.
+        MeshSource source;
+        std::vector<std::string> files;
+    };
+    struct AnimationResult {
+        std::vector<ImportedAnimation> animations;
+        Diagnostics faults;
     };
 
     void enqueue(Task task);
     void startNext();
-    void deliverModel(const Task& task, const Result<ImportedModel>& model);
+    static AnimationResult readAnimations(const AnimationTask& task, Progress& progress);
+    void deliverBatch(const ImportBatch& batch);
+    void deliverAnimations(const AnimationTask& task, const AnimationResult& result);
+    void tellWarnings(const Diagnostics& warnings);
     void deliverProject(const QString& file, Result<Project> project);
     void tellFailure(const QString& file, Diagnostic diagnostic);
 

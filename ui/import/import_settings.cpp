@@ -1,5 +1,7 @@
 #include "ui/import/import_settings.h"
 
+#include "ui/document/strings.h"
+
 #include <QCryptographicHash>
 #include <QFileInfo>
 #include <QSettings>
@@ -43,12 +45,7 @@ void forgetImportOptions() {
 ImportOptions importOptionsFor(const QString& file) {
     if (const auto remembered = rememberedImportOptions(file))
         return *remembered;
-    ImportOptions options;
-    const QString kind = QFileInfo(file).suffix().toLower();
-    // Valve's tools and 3D printing have Z up.
-    if (kind == QLatin1String("smd") || kind == QLatin1String("qc") || kind == QLatin1String("stl"))
-        options.upAxis = UpAxis::Z;
-    return options;
+    return {usualUpAxis(toStdString(file)), 1.0};
 }
 
 } // namespace prizma

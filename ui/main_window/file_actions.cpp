@@ -3,6 +3,7 @@
 #include "core/import/image_loader.h"
 #include "core/scene/starter_scene.h"
 #include "ui/document/document.h"
+#include "ui/document/edits.h"
 #include "ui/document/strings.h"
 #include "ui/import/background_job.h"
 #include "ui/import/import_controller.h"
@@ -19,6 +20,8 @@
 #include <QMessageBox>
 #include <QSettings>
 #include <QStandardPaths>
+
+#include <algorithm>
 
 namespace prizma {
 namespace {
@@ -50,11 +53,34 @@ void showFileDialog(QFileDialog* dialog, const QString& purpose,
     dialog->open();
 }
 
-QString modelFilter() {
+QString patternsOf(const std::vector<std::string>& extensions) {
     QStringList patterns;
-    for (const std::string& extension : modelExtensions())
+    for (const std::string& extension : extensions)
         patterns += QStringLiteral("*.") + toQString(extension);
-    return FileActions::tr("3D models (%1)").arg(patterns.join(QLatin1Char(' ')));
+    return patterns.join(QLatin1Char(' '));
+}
+
+QString modelFilter() {
+    return FileActions::tr("3D models (%1)").arg(patternsOf(modelExtensions()));
+}
+
+QString animationFilter() {
+    return FileActions::tr("Animations (%1)").arg(patternsOf(animationExtensions()));
+}
+
+/// Whether one must look into some of the files to know what they are.
+bool mayHoldAnimations(const QStringList& files) {
+    return std::ranges::any_of(files, [](const QString& file) {
+        const QString suffix = QFileInfo(file).suffix().toLower();
+        return suffix == QLatin1String("smd") || suffix == QLatin1String("md5anim");
+    });
+}
+
+QStringList toQStrings(const std::vector<std::string>& texts) {
+    QStringList list;
+    for (const std::string& text : texts)
+        list += toQString(text);
+    return list;
 }
 
 } // namespace
@@ -98,6 +124,9 @@ void FileActions::fillMenu(QMenu& menu, QAction* exportAnimation) {
     add("document-import", tr("&Import Model…"), Qt::CTRL | Qt::Key_I, [this] {
         import();
     })->setStatusTip(tr("Add the contents of model files to the scene"));
+    add("document-import", tr("Import A&nimation…"), Qt::CTRL | Qt::SHIFT | Qt::Key_I, [this] {
+        importAnimation();
+    })->setStatusTip(tr("Give the selected object the clips of animation files"));
     add("document-export", tr("&Export Image…"), Qt::CTRL | Qt::Key_E, [this] {
         exportImage();
     })->setStatusTip(tr("Save the picture that is in the view"));
@@ -190,29 +219,66 @@ void FileActions::import() {
     auto* dialog = new QFileDialog(&window_, tr("Import Models"));
     dialog->setFileMode(QFileDialog::ExistingFiles);
     dialog->setNameFilters({modelFilter(), tr("All files (*)")});
-    showFileDialog(dialog, QStringLiteral("model"),
-                   [this](const QStringList& files) { askAndImport(files); });
+    showFileDialog(dialog, QStringLiteral("model"), [this](const QStringList& files) { takeFiles(files); });
 }
 
-void FileActions::askAndImport(const QStringList& files) {
-    if (files.isEmpty())
-        return;
-    if (const auto remembered = rememberedImportOptions(files.first())) {
-        importFiles(files, *remembered);
+void FileActions::importAnimation() {
+    if (animationTarget(document_) == noId) {
+        report(tr("No Object Can Be Animated"),
+               tr("Select the object that the animation is for. It must have bones."));
         return;
     }
-    auto* dialog = new ImportOptionsDialog(files, &window_);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, files] {
+    auto* dialog = new QFileDialog(&window_, tr("Import Animations"));
+    dialog->setFileMode(QFileDialog::ExistingFiles);
+    dialog->setNameFilters({animationFilter(), tr("All files (*)")});
+    showFileDialog(dialog, QStringLiteral("animation"),
+                   [this](const QStringList& files) { importAnimationFiles(files); });
+}
+
+void FileActions::importAnimationFiles(const QStringList& files) {
+    const Id target = animationTarget(document_);
+    if (target != noId)
+        importer_.importAnimations(files, target);
+    else
+        report(
+            tr("No Object Can Be Animated"),
+            tr("%1 is an animation. Import the model that it belongs to as well, or select the object that "
+               "it is for.")
+                .arg(QFileInfo(files.value(0)).fileName()));
+}
+
+void FileActions::askAndImport(const QStringList& models, const QStringList& animations) {
+    if (models.isEmpty()) {
+        if (!animations.isEmpty())
+            importAnimationFiles(animations);
+        return;
+    }
+    if (const auto remembered = rememberedImportOptions(models.first())) {
+        importFiles(models, *remembered, animations);
+        return;
+    }
+    auto* dialog = new ImportOptionsDialog(models, &window_);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, models, animations] {
         if (dialog->isRemembered())
-            rememberImportOptions(files.first(), dialog->options());
-        importFiles(files, dialog->options());
+            rememberImportOptions(models.first(), dialog->options());
+        importFiles(models, dialog->options(), animations);
     });
     dialog->open();
 }
 
-void FileActions::importFiles(const QStringList& files, const ImportOptions& options) {
-    for (const QString& file : files)
-        importer_.importModel(file, options);
+void FileActions::importFiles(const QStringList& models, const ImportOptions& options,
+                              const QStringList& animations) {
+    if (animations.isEmpty()) {
+        for (const QString& file : models)
+            importer_.importModel(file, options);
+        return;
+    }
+    BatchFiles together;
+    for (const QString& file : models)
+        together.models.push_back(toStdString(file));
+    for (const QString& file : animations)
+        together.animations.push_back(toStdString(file));
+    importer_.importTogether(together, options);
 }
 
 void FileActions::takeFiles(const QStringList& files) {
@@ -225,13 +291,30 @@ void FileActions::takeFiles(const QStringList& files) {
             models += file;
     }
     if (project.isEmpty())
-        askAndImport(models);
+        takeModels(models);
     else // the models go into the project: both are read one after the other
         unsavedChanges_.guard([this, project, models] {
             load(project, false);
             for (const QString& model : models)
                 importer_.importModel(model, importOptionsFor(model));
         });
+}
+
+void FileActions::takeModels(const QStringList& files) {
+    if (!mayHoldAnimations(files)) {
+        askAndImport(files, {});
+        return;
+    }
+    new BackgroundJob(
+        tr("Looking at %1…").arg(QFileInfo(files.value(0)).fileName()),
+        [this, files](Progress&) -> BackgroundJob::Delivery {
+            std::vector<std::string> names;
+            for (const QString& file : files)
+                names.push_back(toStdString(file));
+            const BatchFiles sorted = sortFiles(names);
+            return [this, sorted] { askAndImport(toQStrings(sorted.models), toQStrings(sorted.animations)); };
+        },
+        this);
 }
 
 void FileActions::exportImage() {

@@ -35,11 +35,15 @@ class FileActions : public QObject {
     void openFile(const QString& file); ///< Asks before unsaved work is lost.
     void
     openSample(const QString& file); ///< As a scene without a name, so that the file cannot be overwritten.
-    void importFiles(const QStringList& files, const ImportOptions& options);
+    /// Animations come together with the models that they belong to, as one step.
+    void importFiles(const QStringList& models, const ImportOptions& options,
+                     const QStringList& animations = {});
+    void importAnimationFiles(const QStringList& files); ///< For the selected object.
     void saveFile(const QString& file, const std::function<void()>& whenSaved = {});
     void exportImageTo(const QString& file);
 
-    /// Files from the command line or dropped on the window: projects are opened, anything else is imported.
+    /// Files from the command line, dropped on the window or chosen for import: projects are opened, anything
+    /// else is imported, animations together with the models among the files or else for the selected object.
     void takeFiles(const QStringList& files);
 
     UnsavedChanges& unsavedChanges() { return unsavedChanges_; }
@@ -54,7 +58,9 @@ class FileActions : public QObject {
     void save(const std::function<void()>& whenSaved);
     void saveAs(const std::function<void()>& whenSaved);
     void import();
-    void askAndImport(const QStringList& files);
+    void importAnimation();
+    void takeModels(const QStringList& files);
+    void askAndImport(const QStringList& models, const QStringList& animations);
     void exportImage();
     void load(const QString& file, bool asSample);
     void takeProject(const QString& file, const std::shared_ptr<Project>& project);

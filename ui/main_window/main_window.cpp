@@ -194,6 +194,13 @@ void MainWindow::connectImports() {
     connect(statusBar_, &StatusBar::cancelRequested, importer_, &ImportController::cancel);
     connect(importer_, &ImportController::message, this, &MainWindow::report);
     connect(importer_, &ImportController::modelImported, this, &MainWindow::showImported);
+    connect(importer_, &ImportController::animationsImported, this, [this](Id object, int clips) {
+        const Object* animated = document_->scene().findObject(object);
+        const QString name = animated ? toQString(animated->name) : QString();
+        statusBar_->showMessage(clips == 1 ? tr("%1 has a new clip").arg(name)
+                                           : tr("%1 has %2 new clips").arg(name).arg(clips),
+                                5000);
+    });
     connect(fileActions_, &FileActions::saved, this, [this](const QString& file) {
         statusBar_->showMessage(tr("Saved %1").arg(QFileInfo(file).fileName()), 5000);
     });
@@ -227,7 +234,8 @@ void MainWindow::jumpTo(const Diagnostic& diagnostic) {
         if (comesFrom(material, diagnostic.file))
             causes.push_back({EntityKind::Material, material.id});
     for (const Object& object : document_->scene().objects)
-        if (object.source.file == diagnostic.file)
+        if (object.source.file == diagnostic.file ||
+            std::ranges::find(object.clipFiles, diagnostic.file) != object.clipFiles.end())
             causes.push_back({EntityKind::Object, object.id});
     if (document_->scene().background.image.file == diagnostic.file)
         causes.push_back({EntityKind::Background});

@@ -238,6 +238,10 @@ sudo apt install pocl-opencl-icd</translation>
             <translation>%1 mozgásai</translation>
         </message>
         <message>
+            <source>Frames a second</source>
+            <translation>Képkocka másodpercenként</translation>
+        </message>
+        <message>
             <source>Frames</source>
             <translation>Kocka</translation>
         </message>
@@ -661,7 +665,7 @@ sudo apt install pocl-opencl-icd</translation>
         </message>
         <message>
             <source>Give the selected object the clips of animation files</source>
-            <translation>A kijelölt tárgy megkapja animációs fájlok klipjeit</translation>
+            <translation>A kijelölt tárgy megkapja animációs fájlok mozgásait</translation>
         </message>
         <message>
             <source>Animations (%1)</source>
@@ -880,11 +884,11 @@ sudo apt install pocl-opencl-icd</translation>
         </message>
         <message>
             <source>%1 has a new clip</source>
-            <translation>%1 új klipet kapott</translation>
+            <translation>%1 új mozgást kapott</translation>
         </message>
         <message>
             <source>%1 has %2 new clips</source>
-            <translation>%1 %2 új klipet kapott</translation>
+            <translation>%1 %2 új mozgást kapott</translation>
         </message>
     </context>
     <context>
@@ -1242,7 +1246,7 @@ sudo apt install pocl-opencl-icd</translation>
         </message>
         <message>
             <source>Move in time</source>
-            <translation>Mozgás az időben</translation>
+            <translation>Ugrás az időben</translation>
         </message>
         <message>
             <source>Left drag on the ruler</source>

@@ -305,11 +305,11 @@ std::span<const Property<Timeline>> propertiesOf() {
         property<&Timeline::fps>({"fps", "Frame rate", "Frames a second."}, PropertyKind::Number,
                                  {"1/s", 0.01, 1000.0, 1.0}),
         property<&Timeline::start>({"start", "Start", "The first frame."}, PropertyKind::Integer,
-                                   {"", -1e6, 1e6, 1.0}),
+                                   {"", -Timeline::furthestFrame, Timeline::furthestFrame, 1.0}),
         property<&Timeline::end>({"end", "End", "The last frame."}, PropertyKind::Integer,
-                                 {"", -1e6, 1e6, 1.0}),
+                                 {"", -Timeline::furthestFrame, Timeline::furthestFrame, 1.0}),
         property<&Timeline::frame>({"frame", "Frame", "The frame that is shown."}, PropertyKind::Number,
-                                   {"", -1e6, 1e6, 1.0}),
+                                   {"", -Timeline::furthestFrame, Timeline::furthestFrame, 1.0}),
     };
     return properties;
 }

@@ -21,6 +21,8 @@ struct Background {
 
 /// Whole frames, `start` to `end` inclusive; `frame` may lie between two while playing.
 struct Timeline {
+    static constexpr double furthestFrame = 1e6; ///< From 0, either way.
+
     double fps = 30.0;
     int start = 0;
     int end = 120;

@@ -9,9 +9,9 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDateTime>
 #include <QDialogButtonBox>
 #include <QDir>
+#include <QElapsedTimer>
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
@@ -36,6 +36,7 @@ class TestAnimationExport : public QObject {
     void picturesMoveWithTheClip();
     void finishedFramesStay();
     void cancelledExportsGoOn();
+    void closingEndsTheExport();
     void videos();
 
   private:
@@ -196,6 +197,20 @@ void TestAnimationExport::cancelledExportsGoOn() {
     accept(*dialog);
     QTRY_COMPARE_WITH_TIMEOUT(finished.count(), 1, 120000);
     QCOMPARE(finishedFiles(), last + 1);
+}
+
+void TestAnimationExport::closingEndsTheExport() {
+    AnimationExportDialog* dialog = openDialog(100);
+    QVERIFY(dialog);
+    typeInto(*dialog->findChild<NumberField*>(QStringLiteral("samples")), QStringLiteral("100000"));
+    accept(*dialog);
+    QVERIFY(exporter().isBusy());
+    QTest::qWait(200);
+    QElapsedTimer clock;
+    clock.start();
+    window_.reset();
+    QVERIFY2(clock.elapsed() < 3000, qPrintable(QString::number(clock.elapsed())));
+    QVERIFY(QDir(folder_->path()).entryList(QDir::Files).isEmpty()); // nothing half done
 }
 
 void TestAnimationExport::videos() {

@@ -341,6 +341,14 @@ void TestTimeline::fieldsMoveAndSetTheRange() {
     QCOMPARE(field("time")->value(), 0.4);
     typeInto(*field("time"), QStringLiteral("1.5"));
     QCOMPARE(frame(), 45.0);
+    NumberField* time = field("time"); // stepping keeps to whole frames, although a third is no round number
+    time->setFocus();
+    QTRY_VERIFY(time->hasFocus());
+    for (int i = 1; i <= 10; ++i) {
+        QTest::keyClick(time, Qt::Key_Up);
+        QCOMPARE(frame(), 45.0 + i);
+    }
+    controller().goTo(45.0);
     QCOMPARE(steps(), before);
 
     typeInto(*field("end"), QStringLiteral("60"));
@@ -449,6 +457,18 @@ void TestTimeline::robotWalks() {
     window_->importFile(file);
     QTRY_COMPARE_WITH_TIMEOUT(scene().objects.size(), 3U, 20000);
     window_->viewport().frameSelected();
+    // Scrolling brings another clip under the pointer.
+    moveMouse(*clips().viewport(), rowOf(1));
+    const QString firstClip = clips().topLevelItem(1)->text(0);
+    QTRY_COMPARE(toQString(window_->document().shownScene().objects[2].clip), firstClip);
+    const QPoint pointer = rowOf(1);
+    QWheelEvent turn(pointer, clips().viewport()->mapToGlobal(pointer), {}, {0, -240}, Qt::NoButton, {},
+                     Qt::NoScrollPhase, false);
+    QApplication::sendEvent(clips().viewport(), &turn);
+    QTRY_VERIFY(clips().itemAt(pointer)->text(0) != firstClip);
+    QTRY_COMPARE(toQString(window_->document().shownScene().objects[2].clip),
+                 clips().itemAt(pointer)->text(0));
+
     const auto rows = clips().findItems(QStringLiteral("Walking"), Qt::MatchExactly);
     QCOMPARE(rows.size(), 1);
     clips().scrollToItem(rows.front());

@@ -30,7 +30,6 @@ const QString widthKey = QStringLiteral("animation/width");
 const QString heightKey = QStringLiteral("animation/height");
 const QString folderKey = QStringLiteral("folders/animation");
 constexpr double largestSide = 32768.0;
-constexpr double mostFrames = 1e6;
 constexpr double mostSamples = 1e6;
 const QString numberMark = QStringLiteral("####");
 
@@ -117,8 +116,8 @@ void AnimationExportDialog::makeFields(const Scene& scene) {
             format_->setItemData(row, tr("Needs the program ffmpeg (on Debian: sudo apt install ffmpeg)"),
                                  Qt::ToolTipRole);
         }
-    first_ = makeField(scene.timeline.start, -mostFrames, mostFrames, "firstFrame");
-    last_ = makeField(scene.timeline.end, -mostFrames, mostFrames, "lastFrame");
+    first_ = makeField(scene.timeline.start, -Timeline::furthestFrame, Timeline::furthestFrame, "firstFrame");
+    last_ = makeField(scene.timeline.end, -Timeline::furthestFrame, Timeline::furthestFrame, "lastFrame");
     width_ = makeField(1280.0, 1.0, largestSide, "width");
     height_ = makeField(720.0, 1.0, largestSide, "height");
     samples_ = makeField(scene.render.samples, 1.0, mostSamples, "samples");

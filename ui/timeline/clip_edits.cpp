@@ -10,12 +10,6 @@
 #include <ranges>
 
 namespace prizma {
-namespace {
-
-constexpr double mostFrames = 1e6; // As the timeline's properties allow.
-
-} // namespace
-
 const Object* timelineObject(const Document& document) {
     const Scene& scene = document.scene();
     for (const EntityRef& entity : document.selection() | std::views::reverse) {
@@ -77,7 +71,8 @@ void fitTimeline(Document& document, const Object& object, const Clip& clip) {
         timeline.fps = rate;
         timeline.start = 0;
         // The frame in which a loop begins anew is its first one.
-        timeline.end = static_cast<int>(std::clamp(loops ? frames - 1.0 : frames, 0.0, mostFrames));
+        timeline.end =
+            static_cast<int>(std::clamp(loops ? frames - 1.0 : frames, 0.0, Timeline::furthestFrame));
         timeline.frame = std::clamp(timeline.frame, 0.0, static_cast<double>(timeline.end));
     });
 }

@@ -13,8 +13,10 @@
 #include <QLabel>
 #include <QLocale>
 #include <QScopedValueRollback>
+#include <QTimer>
 #include <QTreeWidget>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 namespace prizma {
 namespace {
@@ -134,7 +136,10 @@ void ClipList::showChosen() {
     if (!object)
         return;
     const QScopedValueRollback guard(updating_, true);
-    list_->setHeaderLabels({tr("Clips of %1").arg(toQString(object->name)), tr("Frames"), tr("1/s")});
+    const QString name = toQString(object->name);
+    list_->setHeaderLabels({name, tr("Frames"), tr("1/s")});
+    list_->headerItem()->setToolTip(NameColumn, tr("Clips of %1").arg(name));
+    list_->headerItem()->setToolTip(RateColumn, tr("Frames a second"));
     const std::string chosen = findClip(*object, object->clip) ? object->clip : std::string();
     for (int i = 0; i < list_->topLevelItemCount(); ++i) {
         QTreeWidgetItem* item = list_->topLevelItem(i);
@@ -171,6 +176,11 @@ bool ClipList::eventFilter(QObject* watched, QEvent* event) {
         (watched == list_ && event->type() == QEvent::FocusOut)) {
         preview_.end();
         showChosen(); // the keyboard's cursor goes back to it, too
+    }
+    if (watched == list_->viewport() && event->type() == QEvent::Wheel) {
+        // Once it has scrolled, another clip is under the pointer, which has not moved.
+        const QPoint place = static_cast<QWheelEvent*>(event)->position().toPoint();
+        QTimer::singleShot(0, this, [this, place] { showPreview(list_->itemAt(place)); });
     }
     return QWidget::eventFilter(watched, event);
 }

@@ -6,16 +6,15 @@
 #include "ui/main_window/theme.h"
 #include "ui/properties/number_field.h"
 #include "ui/timeline/clip_edits.h"
+#include "ui/timeline/labelled_field.h"
 
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QToolButton>
 
 namespace prizma {
 namespace {
 
 const std::vector<EntityRef> timelineEntity{{EntityKind::Timeline}};
-constexpr double mostFrames = 1e6;
 
 ClipPtr chosenClip(const Document& document) {
     const Object* object = timelineObject(document);
@@ -51,19 +50,10 @@ RangeBar::RangeBar(Document& document, QWidget* parent)
 }
 
 NumberField* RangeBar::addField(QBoxLayout& layout, const QString& label, const char* key, bool integer) {
-    auto* field = new NumberField;
+    auto* field = addLabelledField(layout, label, QStringLiteral("-00000"));
     field->setObjectName(QString::fromLatin1(key));
-    field->setAccessibleName(label);
     field->setInteger(integer);
     field->setStep(1.0);
-    field->setFixedWidth(field->fontMetrics().horizontalAdvance(QStringLiteral("-00000")) + 16);
-    auto* caption = new QLabel(label);
-    QPalette dimmed = caption->palette();
-    dimmed.setColor(QPalette::WindowText, theme::dim());
-    caption->setPalette(dimmed);
-    caption->setContentsMargins(6, 0, 2, 0);
-    layout.addWidget(caption);
-    layout.addWidget(field);
     for (const PropertyInfo& property : properties(document_.scene(), timelineEntity.front()))
         if (property.key == key) {
             field->setRange(property.minimum, property.maximum);
@@ -81,10 +71,10 @@ NumberField* RangeBar::addField(QBoxLayout& layout, const QString& label, const 
 void RangeBar::refresh() {
     const Timeline& timeline = document_.scene().timeline;
     start_->setValue(timeline.start);
-    start_->setRange(-mostFrames, timeline.end);
+    start_->setRange(-Timeline::furthestFrame, timeline.end);
     rate_->setValue(timeline.fps);
     end_->setValue(timeline.end);
-    end_->setRange(timeline.start, mostFrames);
+    end_->setRange(timeline.start, Timeline::furthestFrame);
     fit_->setEnabled(chosenClip(document_) != nullptr);
 }
 

@@ -1,14 +1,13 @@
 #include "ui/timeline/transport_bar.h"
 
 #include "ui/document/document.h"
-#include "ui/main_window/theme.h"
 #include "ui/properties/number_field.h"
+#include "ui/timeline/labelled_field.h"
 #include "ui/timeline/playback_actions.h"
 #include "ui/timeline/timeline_controller.h"
 
 #include <QAction>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenu>
 #include <QToolButton>
 
@@ -19,6 +18,14 @@ namespace prizma {
 namespace {
 
 constexpr double fastest = 100.0;
+constexpr double timeGrain = 0.01; // Seconds; finer ones are neither shown nor meant.
+
+/// The frame that somebody means who asks for a time as it is shown: a whole one, if it would be shown so.
+double frameAt(double seconds, double fps) {
+    const double frame = seconds * fps;
+    const double nearest = std::round(frame);
+    return std::abs(frame - nearest) <= 0.5 * timeGrain * fps + 1e-9 ? nearest : frame;
+}
 
 } // namespace
 
@@ -65,18 +72,9 @@ void TransportBar::makeModeButton(const PlaybackActions& actions) {
 
 NumberField* TransportBar::addField(const QString& label, const char* name, const QString& tip,
                                     const QString& longest) {
-    auto* field = new NumberField;
+    auto* field = addLabelledField(static_cast<QBoxLayout&>(*layout()), label, longest);
     field->setObjectName(QString::fromLatin1(name));
     field->setToolTip(tip);
-    field->setAccessibleName(label);
-    field->setFixedWidth(field->fontMetrics().horizontalAdvance(longest) + 16);
-    auto* caption = new QLabel(label);
-    QPalette dimmed = caption->palette();
-    dimmed.setColor(QPalette::WindowText, theme::dim());
-    caption->setPalette(dimmed);
-    caption->setContentsMargins(6, 0, 2, 0);
-    layout()->addWidget(caption);
-    layout()->addWidget(field);
     return field;
 }
 
@@ -94,7 +92,7 @@ void TransportBar::makeFields() {
     time_ = addField(tr("Time"), "time", tr("Where that is in seconds"), QStringLiteral("000.00 s"));
     time_->setUnit(QStringLiteral("s"));
     connect(time_, &NumberField::valueEdited, this,
-            [this](double seconds) { controller_.goTo(seconds * document_.scene().timeline.fps); });
+            [this](double seconds) { controller_.goTo(frameAt(seconds, document_.scene().timeline.fps)); });
     for (NumberField* field : {frame_, time_}) {
         connect(field, &NumberField::gestureStarted, &controller_, &TimelineController::beginScrub);
         connect(field, &NumberField::gestureFinished, &controller_, &TimelineController::endScrub);
@@ -108,7 +106,7 @@ void TransportBar::showPlace() {
     const double frame = playing ? std::floor(timeline.frame + 1e-6) : timeline.frame;
     const double seconds = timeline.seconds();
     for (auto [field, value] :
-         {std::pair(frame_, frame), std::pair(time_, std::round(seconds * 100.0) / 100.0)})
+         {std::pair(frame_, frame), std::pair(time_, std::round(seconds / timeGrain) * timeGrain)})
         if (field->value() != value)
             field->setValue(value);
     time_->setStep(timeline.fps > 0.0 ? 1.0 / timeline.fps : 0.1);

@@ -195,6 +195,15 @@ typedef struct {
     DeviceUint weightBase; // its first morph weight; NO_WEIGHTS if all are 0
 } DeviceVertexBlock;
 
+// Neighbouring nodes of one posed object's tree: what a work group of TriangleShader does.
+typedef struct {
+    DeviceUint node; // the first one
+    DeviceUint count;
+    DeviceUint leafBase;
+    DeviceUint triangleBase;
+    DeviceUint vertexBase;
+} DeviceTreeBlock;
+
 // A node to refit, and the first node of its tree, which its children count from.
 typedef struct {
     DeviceUint node;
@@ -219,6 +228,7 @@ static_assert(sizeof(DeviceSkinVertex) == 32);
 static_assert(sizeof(DeviceInfluenceQuad) == 32);
 static_assert(sizeof(DeviceMorphOffset) == 32);
 static_assert(sizeof(DeviceVertexBlock) == 20);
+static_assert(sizeof(DeviceTreeBlock) == 20);
 static_assert(sizeof(DeviceRefitEntry) == 8);
 } // namespace prizma
 #endif

@@ -1,4 +1,4 @@
-// TriangleShader: puts the posed corners of one Dynamic object's triangles into the leaves of its tree and, as the
+// TriangleShader: puts the posed corners of Dynamic objects' triangles into the leaves of their trees and, as the
 // corners are at hand, the leaves' boxes into the nodes above them.
 #include "refit.clh"
 
@@ -76,23 +76,25 @@ inline Box shadeLeaf(global BinaryTriangle* leaves, uint child, const global Dev
 
 #endif
 
-// One work item a node: in memory, its leaves lie side by side. `costs` (one a node, beside `nodes`) gets the area of
-// the leaves' boxes.
-kernel void triangleShader(global TreeNode* nodes, global float* costs, uint nodeBase, uint nodeCount,
-                           global TreeLeaf* leaves, uint leafBase, const global DeviceTriangle* triangles,
-                           uint triangleBase, const global float* positions, uint vertexBase) {
-    uint index = get_global_id(0);
-    if (index >= nodeCount)
+// One work group a block, one work item a node: in memory, its leaves lie side by side. `costs` (one a node, beside
+// `nodes`) gets the area of the leaves' boxes.
+kernel void triangleShader(global TreeNode* nodes, global float* costs, const global DeviceTreeBlock* blocks,
+                           global TreeLeaf* leaves, const global DeviceTriangle* triangles,
+                           const global float* positions) {
+    DeviceTreeBlock block = blocks[get_group_id(0)];
+    uint index = get_local_id(0);
+    if (index >= block.count)
         return;
-    global TreeNode* node = nodes + nodeBase + index;
+    global TreeNode* node = nodes + block.node + index;
     float cost = 0.0f;
     for (int i = 0; i < TREE_WIDTH; ++i) {
         uint child = node->child[i];
         if (!(child & PRIZMA_LEAF_BIT) || child == PRIZMA_NO_CHILD)
             continue;
-        Box box = shadeLeaf(leaves + leafBase, child, triangles + triangleBase, positions + 3 * vertexBase);
+        Box box = shadeLeaf(leaves + block.leafBase, child, triangles + block.triangleBase,
+                            positions + 3 * block.vertexBase);
         storeChildBox(node, i, box);
         cost += halfArea(box);
     }
-    costs[nodeBase + index] = cost;
+    costs[block.node + index] = cost;
 }

@@ -38,7 +38,8 @@ ClipPtr findClip(const Object& object, const std::string& name);
 PoseKey poseKeyOf(const Object& object, double seconds);
 
 /// Makes the object go over to another of its clips (empty: the bind pose) at `seconds` of the timeline,
-/// within `fadeSeconds`; 0 switches at once.
+/// within `fadeSeconds`; 0 switches at once. It comes from the clip it plays: a fade in progress is cut
+/// short.
 void changeClip(Object& object, const std::string& clip, double seconds, double fadeSeconds);
 
 } // namespace prizma

@@ -1,9 +1,11 @@
 #include "core/render/tree_refitter.h"
 
+#include <algorithm>
+
 namespace prizma {
 namespace {
 
-constexpr std::size_t groupSize = 64;
+constexpr std::uint32_t groupSize = 64;
 /// Levels with fewer nodes cost less in one work group than in launches of their own.
 constexpr std::uint32_t smallLevel = 512;
 constexpr std::size_t measuresATree = 7; ///< Box and cost.
@@ -14,16 +16,13 @@ Result<void> TreeRefitter::shadeTriangles(Context& context, KernelSet& kernels, 
                                           const std::vector<Id>& objects) {
     if (auto ok = costs_.reserve(context, geometry.nodeCapacity(), "tree's costs"); !ok)
         return ok;
-    for (const Id id : objects) {
-        const ObjectPlace place = geometry.placeOf(id);
-        const auto nodes = static_cast<std::uint32_t>(nodeCount(*place.posed->tree));
-        Kernel& kernel = kernels.triangleShader;
-        kernel.setArguments(geometry.nodes(), costs_, place.posed->nodeBase, nodes, geometry.leaves(),
-                            place.posed->leafBase, geometry.triangles(), place.mesh->triangleBase,
-                            geometry.positions(), place.posed->vertexBase);
-        if (const auto launched = kernel.launch(context, nodes, groupSize); !launched)
-            return std::unexpected(launched.error());
-    }
+    if (auto ok = loadTable(context, geometry, objects); !ok)
+        return ok;
+    Kernel& kernel = kernels.triangleShader;
+    kernel.setArguments(geometry.nodes(), costs_, table_.blocks, geometry.leaves(), geometry.triangles(),
+                        geometry.positions());
+    if (const auto launched = kernel.launch(context, table_.blockCount * groupSize, groupSize); !launched)
+        return std::unexpected(launched.error());
     return {};
 }
 
@@ -36,12 +35,28 @@ Result<void> TreeRefitter::refit(Context& context, KernelSet& kernels, GeometryS
     return readRoots(context, kernels, geometry);
 }
 
+Result<void> TreeRefitter::loadBlocks(Context& context, const GeometryStore& geometry,
+                                      const std::vector<Id>& objects) {
+    std::vector<DeviceTreeBlock> blocks;
+    for (const Id id : objects) {
+        const ObjectPlace place = geometry.placeOf(id);
+        const auto count = static_cast<std::uint32_t>(nodeCount(*place.posed->tree));
+        for (std::uint32_t first = 0; first < count; first += groupSize)
+            blocks.push_back({place.posed->nodeBase + first, std::min(count - first, groupSize),
+                              place.posed->leafBase, place.mesh->triangleBase, place.posed->vertexBase});
+    }
+    table_.blockCount = blocks.size();
+    return table_.blocks.assign(context, blocks, "list of nodes");
+}
+
 Result<void> TreeRefitter::loadTable(Context& context, const GeometryStore& geometry,
                                      const std::vector<Id>& objects) {
     if (table_.objects == objects && table_.placesRevision == geometry.posedRevision())
         return {};
     table_.objects.clear(); // should something below fail
     table_.levelEnds.clear();
+    if (auto ok = loadBlocks(context, geometry, objects); !ok)
+        return ok;
     std::vector<DeviceRefitEntry> entries;
     std::vector<std::uint32_t> roots;
     for (const Id id : objects)

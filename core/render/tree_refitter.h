@@ -25,12 +25,15 @@ class TreeRefitter {
         std::vector<Id> objects;
         std::uint64_t placesRevision = 0;
         std::vector<std::uint32_t> levelEnds; ///< Entries of a level end here; the next begins here.
+        std::size_t blockCount = 0;
+        Buffer<DeviceTreeBlock> blocks;
         Buffer<DeviceRefitEntry> entries;
         Buffer<std::uint32_t> deviceLevelEnds;
         Buffer<std::uint32_t> roots;
     };
 
     Result<void> loadTable(Context& context, const GeometryStore& geometry, const std::vector<Id>& objects);
+    Result<void> loadBlocks(Context& context, const GeometryStore& geometry, const std::vector<Id>& objects);
     Result<void> launchLevels(Context& context, KernelSet& kernels, const GeometryStore& geometry);
     Result<void> readRoots(Context& context, KernelSet& kernels, GeometryStore& geometry);
 

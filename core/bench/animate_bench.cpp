@@ -36,12 +36,6 @@ Result<std::unique_ptr<Renderer>> makeRenderer(const std::string& deviceId) {
     return Renderer::create(std::move(options));
 }
 
-/// TBB's workers look for more work for a while after Embree is done, on a core that the device would use.
-/// Each side is measured on a machine at rest.
-void letWorkersRest() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-}
-
 /// Brings the device to `seconds`, but draws nothing.
 Result<void> bringTo(Renderer& renderer, Scene& scene, double seconds) {
     scene.timeline.frame = seconds * scene.timeline.fps;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <thread>
 #include <vector>
 
 namespace prizma::bench {
@@ -22,12 +21,6 @@ double measure(const Work& work) {
     const auto start = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// TBB's workers look for more work for a while after Embree is done, on a core that the device would use,
-/// and a driver's threads may do so too. Each side is measured on a machine at rest.
-inline void letWorkersRest() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
 }
 
 } // namespace prizma::bench

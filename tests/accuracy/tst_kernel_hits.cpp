@@ -286,14 +286,15 @@ void TestKernelHits::agreesWithTheReference() {
     QVERIFY2(query.has_value(), query ? "" : query.error().message.c_str());
     const std::vector<DeviceRay> rays = makeRays(scene, query->origin());
     QVERIFY(query->setRays(rays).has_value());
-    for (const RayQueryMode mode : {RayQueryMode::Closest, RayQueryMode::ClosestPacket, RayQueryMode::Any}) {
+    for (const RayQueryMode mode :
+         {RayQueryMode::Closest, RayQueryMode::ClosestPacket, RayQueryMode::Any, RayQueryMode::AnyPacket}) {
         QVERIFY(query->trace(mode).has_value());
         const auto hits = query->hits();
         QVERIFY(hits.has_value());
         QCOMPARE(hits->size(), rays.size());
         Comparison comparison(scene, query->origin());
         for (std::size_t i = 0; i < rays.size(); ++i)
-            comparison.add(rays[i], (*hits)[i], mode == RayQueryMode::Any);
+            comparison.add(rays[i], (*hits)[i], isOcclusion(mode));
         QVERIFY2(comparison.faults == 0, qPrintable(QString("mode %1: %2 of %3 rays, the first: %4")
                                                         .arg(int(mode))
                                                         .arg(comparison.faults)

@@ -84,6 +84,7 @@ class TestWatertight : public QObject {
     void axisDirections();
     void oddRaysHitNothing();
     void oddRaysTakeNoLonger();
+    void intervalsMayLieBehindTheOrigin();
     void degenerateTrianglesAreNotHit();
 };
 
@@ -257,6 +258,38 @@ void TestWatertight::oddRaysTakeNoLonger() {
         const double strange = best(odd);
         QVERIFY2(strange < 2.5 * usual + 5.0,
                  qPrintable(QString("%1 ms against %2 ms").arg(strange).arg(usual)));
+    }
+}
+
+void TestWatertight::intervalsMayLieBehindTheOrigin() {
+    const Scene scene = sceneOf(makePrimitive(PrimitiveType::Torus, 2.0));
+    std::mt19937 random(17);
+    std::uniform_real_distribution<float> place(-2.0f, 2.0f);
+    std::vector<DeviceRay> ahead(20000);
+    for (DeviceRay& ray : ahead) {
+        ray = makeRay({place(random), place(random), place(random)},
+                      {place(random), place(random), place(random)});
+        ray.tMin = 0.01f;
+        ray.tMax = 1.5f;
+    }
+    std::vector<DeviceRay> behind = ahead;
+    for (DeviceRay& ray : behind) {
+        for (float& component : ray.direction)
+            component = -component;
+        std::swap(ray.tMin, ray.tMax);
+        ray.tMin = -ray.tMin;
+        ray.tMax = -ray.tMax;
+    }
+    for (const TreeLayout layout : layouts) {
+        auto query = RayQuery::create(scene, {}, layout);
+        QVERIFY(query.has_value());
+        for (const RayQueryMode mode : modes) {
+            const auto expected = trace(*query, ahead, mode);
+            const auto found = trace(*query, behind, mode);
+            QVERIFY(expected.has_value() && found.has_value());
+            for (std::size_t i = 0; i < ahead.size(); ++i)
+                QCOMPARE(std::isinf((*found)[i].t), std::isinf((*expected)[i].t));
+        }
     }
 }
 

@@ -176,8 +176,9 @@ Result<TraceResult> TraceBench::measureSet(const RaySet& set) {
 }
 
 std::vector<glm::ivec2> TraceBench::sizes() const {
-    if (options_.width > 0 && options_.height > 0)
-        return {{options_.width, options_.height}};
+    if (options_.width > 0 || options_.height > 0) // 16 : 9 where only one is given
+        return {{options_.width > 0 ? options_.width : std::max(options_.height * 16 / 9, 1),
+                 options_.height > 0 ? options_.height : std::max(options_.width * 9 / 16, 1)}};
     if (query_.deviceType() == DeviceType::Gpu)
         return {{1920, 1080}, {3840, 2160}};
     return {{1280, 720}};

@@ -132,19 +132,25 @@ std::uint32_t Collapser::emitLeaf(std::uint32_t source) {
     return static_cast<std::uint32_t>(tree_.leaves.size() - 1);
 }
 
-/// Rays that end at their first hit visit children as they stand: a large one that holds much is the most likely
-/// to end them. For all other rays distances decide.
+/// Rays that end at their first hit visit children as they stand: inner ones first, the larger before the
+/// smaller, as what holds most is most likely to end them. For all other rays distances decide.
 void Collapser::sortChildren() {
-    std::array<std::pair<float, std::uint32_t>, maxWidth> order;
+    struct Place {
+        bool isInner;
+        float area;
+        std::uint32_t child;
+    };
+    std::array<Place, maxWidth> order;
     for (std::uint32_t i = 0; i < childCount_; ++i) {
         const std::uint32_t child = children_[i];
-        const float area = scaledHalfArea(Box4::of(bvh_.nodes[child].bounds), areaScale_);
-        order[i] = {isLeaf_[child] != 0 ? -1.0f / (1.0f + area) : area, child};
+        order[i] = {isLeaf_[child] == 0, scaledHalfArea(Box4::of(bvh_.nodes[child].bounds), areaScale_),
+                    child};
     }
-    std::stable_sort(order.begin(), order.begin() + childCount_,
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::stable_sort(order.begin(), order.begin() + childCount_, [](const Place& a, const Place& b) {
+        return a.isInner != b.isInner ? a.isInner : a.area > b.area;
+    });
     for (std::uint32_t i = 0; i < childCount_; ++i)
-        children_[i] = order[i].second;
+        children_[i] = order[i].child;
 }
 
 void Collapser::layOut() {

@@ -75,6 +75,18 @@ Result<bool> SmdBlocks::nextLine() {
     return line.size() > 3 && !isBlankOrComment(line.substr(3));
 }
 
+Result<void> SmdBlocks::readBlocks(const std::function<Result<void>(const std::string& name)>& read) {
+    for (;;) {
+        const auto block = nextBlock();
+        if (!block)
+            return std::unexpected(block.error());
+        if (block->empty())
+            return {};
+        if (auto done = read(*block); !done)
+            return done;
+    }
+}
+
 Result<void> SmdBlocks::readLines(const std::function<Result<void>(std::string_view)>& read) {
     for (;;) {
         const auto inside = nextLine();

@@ -23,6 +23,10 @@ class SmdBlocks {
     /// the text does not begin as such a file does.
     Result<std::string> nextBlock();
 
+    /// Calls `read` with the name of every block, after going to it. Errors: those of nextBlock and of
+    /// `read`.
+    Result<void> readBlocks(const std::function<Result<void>(const std::string& name)>& read);
+
     /// Calls `read` for every line of the block with something on it, but not for its "end". Errors: those of
     /// `read`, no end, cancelled.
     Result<void> readLines(const std::function<Result<void>(std::string_view line)>& read);

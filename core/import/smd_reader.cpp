@@ -37,15 +37,9 @@ class SmdReader {
         : blocks_(text, file, progress) {}
 
     Result<SmdFile> read() {
-        for (;;) {
-            const auto block = blocks_.nextBlock();
-            if (!block)
-                return std::unexpected(block.error());
-            if (block->empty())
-                break;
-            if (auto done = readBlock(*block); !done)
-                return std::unexpected(done.error());
-        }
+        if (auto done = blocks_.readBlocks([this](const std::string& name) { return readBlock(name); });
+            !done)
+            return std::unexpected(done.error());
         if (!nodesRead_)
             return failure("It is not a whole SMD file: there is no block of nodes.", blocks_.file());
         file_.warnings = blocks_.faults().warnings(blocks_.file());

@@ -14,18 +14,9 @@ class VtaReader {
         : blocks_(text, file, progress) {}
 
     Result<VtaFile> read() {
-        for (;;) {
-            const auto block = blocks_.nextBlock();
-            if (!block)
-                return std::unexpected(block.error());
-            if (block->empty())
-                break;
-            auto done = *block == "skeleton"          ? readSkeleton()
-                        : *block == "vertexanimation" ? readVertices()
-                                                      : blocks_.skipBlock();
-            if (!done)
-                return std::unexpected(done.error());
-        }
+        if (auto done = blocks_.readBlocks([this](const std::string& name) { return readBlock(name); });
+            !done)
+            return std::unexpected(done.error());
         if (file_.frames.empty())
             return failure("It is not a VTA file: there is no vertex animation in it.", blocks_.file());
         for (VtaFrame& frame : file_.frames)
@@ -35,6 +26,14 @@ class VtaReader {
     }
 
   private:
+    Result<void> readBlock(const std::string& name) {
+        if (name == "skeleton")
+            return readSkeleton();
+        if (name == "vertexanimation")
+            return readVertices();
+        return blocks_.skipBlock();
+    }
+
     /// The number behind "time"; `fields` stands behind the word.
     Result<int> readTime(Fields& fields) {
         const auto time = fields.integer();

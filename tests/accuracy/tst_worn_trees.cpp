@@ -3,6 +3,7 @@
 #include "core/bench/deforming_scene.h"
 #include "core/bench/procedural_scene.h"
 #include "core/reference/reference_tracer.h"
+#include "tests/support/pixel_ray.h"
 #include "tests/support/test_scenes.h"
 
 #include <QtTest>
@@ -89,18 +90,13 @@ double meanSteps(const OfflinePicture& picture) {
 std::pair<int, int> wrongPicks(Renderer& renderer, const Scene& scene, std::mt19937& random) {
     const Scene still = bench::frozen(scene);
     const reference::Tracer tracer(still);
-    const CameraFrame frame = frameOf(scene.camera);
-    const double half = std::tan(glm::radians(scene.camera.fovY) / 2);
     std::uniform_real_distribution<double> place(0.0, size);
     int wrong = 0;
     int compared = 0;
     for (int i = 0; i < 100; ++i) {
         const double x = place(random);
         const double y = place(random);
-        reference::Ray ray;
-        ray.origin = scene.camera.position;
-        ray.direction = glm::normalize(frame.forward + frame.right * ((x / size * 2 - 1) * half) +
-                                       frame.up * ((1 - y / size * 2) * half));
+        const reference::Ray ray = pixelRay(scene.camera, x, y, size);
         const auto truth = tracer.closestHit(ray);
         if (truth && truth->edgeDistance < 1e-2)
             continue; // may fall to a neighbour

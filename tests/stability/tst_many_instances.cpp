@@ -1,5 +1,6 @@
 // Ten thousand instances of one mesh: memory of one, right hits, and an edit that stays interactive.
 #include "core/reference/reference_tracer.h"
+#include "tests/support/pixel_ray.h"
 #include "tests/support/test_scenes.h"
 
 #include <QtTest>
@@ -113,18 +114,13 @@ void ManyInstancesTest::areHitWhereTheyAre() {
     renderer->waitForTrees(scene);
     bringUp(*renderer, scene);
     const reference::Tracer tracer(scene);
-    const CameraFrame frame = frameOf(scene.camera);
-    const double half = std::tan(glm::radians(scene.camera.fovY) / 2);
     std::mt19937 random(4);
     std::uniform_real_distribution<double> place(0.0, size);
     std::set<Id> seen;
     for (int i = 0; i < 2000; ++i) {
         const double x = place(random);
         const double y = place(random);
-        reference::Ray ray;
-        ray.origin = scene.camera.position;
-        ray.direction = glm::normalize(frame.forward + frame.right * ((x / size * 2 - 1) * half) +
-                                       frame.up * ((1 - y / size * 2) * half));
+        const reference::Ray ray = pixelRay(scene.camera, x, y, size);
         const auto truth = tracer.closestHit(ray);
         if (truth && truth->edgeDistance < 1e-3)
             continue; // may fall to a neighbour

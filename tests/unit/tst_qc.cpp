@@ -4,6 +4,7 @@
 #include "core/import/qc_reader.h"
 
 #include "core/animation/pose.h"
+#include "tests/support/text_file.h"
 
 #include <QDir>
 #include <QElapsedTimer>
@@ -52,13 +53,7 @@ class TestQc : public QObject {
     QTemporaryDir folder_;
 
     std::string write(const QString& name, const std::string& content) const {
-        QDir(folder_.path()).mkpath(QFileInfo(name).path());
-        QFile stream(folder_.filePath(name));
-        if (!stream.open(QIODevice::WriteOnly) ||
-            stream.write(content.data(), static_cast<qint64>(content.size())) !=
-                static_cast<qint64>(content.size()))
-            qFatal("no test file");
-        return stream.fileName().toStdString();
+        return test::writeFile(folder_, name, content);
     }
 
   private Q_SLOTS:

@@ -4,6 +4,7 @@
 
 #include "core/animation/pose.h"
 #include "core/import/animation_importer.h"
+#include "tests/support/text_file.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -88,13 +89,8 @@ class TestSmd : public QObject {
 
     QTemporaryDir folder_;
 
-    std::string write(const char* name, const std::string& content) const {
-        QFile stream(folder_.filePath(QString::fromUtf8(name)));
-        if (!stream.open(QIODevice::WriteOnly) ||
-            stream.write(content.data(), static_cast<qint64>(content.size())) !=
-                static_cast<qint64>(content.size()))
-            qFatal("no test file");
-        return stream.fileName().toStdString();
+    std::string write(const QString& name, const std::string& content) const {
+        return test::writeFile(folder_, name, content);
     }
 
   private Q_SLOTS:

@@ -97,6 +97,10 @@ typedef struct {
 
 #define PRIZMA_NO_TEXTURE 0xFFFFFFFFu
 
+#define PRIZMA_ALPHA_BLEND 0u
+#define PRIZMA_ALPHA_MASK 1u
+#define PRIZMA_ALPHA_OPAQUE 2u
+
 typedef struct {
     float baseColor[3];
     float alpha;
@@ -106,9 +110,18 @@ typedef struct {
     float roughness;
     float transmission;
     float ior;
-    DeviceUint baseColorTexture;
-    DeviceUint normalTexture;
-    DeviceUint padding[2];
+    float specularColor[3];
+    float normalScale;
+    float absorption[3]; // Beer-Lambert coefficients, per unit of length
+    float alphaCutoff;
+    DeviceUint baseColorTexture; // colour and alpha
+    DeviceUint emissionTexture;
+    DeviceUint specularTexture;          // alpha
+    DeviceUint metallicRoughnessTexture; // data: green is roughness, blue metallic
+    DeviceUint transmissionTexture;      // data: red
+    DeviceUint normalTexture;            // data
+    DeviceUint alphaMode;                // PRIZMA_ALPHA_...
+    DeviceUint doubleSided;
 } DeviceMaterial;
 
 // A picture inside the texel buffer: 8-bit sRGB RGBA (one uint a texel) or four linear floats a texel.
@@ -135,7 +148,7 @@ typedef struct {
     float halfU[3]; // rectangle: from the centre to the middle of an edge
     float radius;
     float halfV[3];
-    float padding;
+    DeviceUint visible; // rectangle, sphere: to the camera
 } DeviceLight;
 
 // What one pass looks at: the camera relative to the anchor, the picture, and which of its pixels this launch does.
@@ -150,6 +163,9 @@ typedef struct {
     DeviceUint firstPixel; // of this launch; pixels are numbered as pixel_order.clh says
     DeviceUint pixelCount; // of this launch
     DeviceUint sample;     // how many samples the pixels hold already
+    DeviceUint seed;
+    float lensRadius;
+    float focusDistance; // along `forward`
 } DeviceView;
 
 // What RayShader needs to know beside the scene.
@@ -157,8 +173,11 @@ typedef struct {
     float background[3]; // radiance, or the factor of the image
     float ambient[3];    // the background's mean radiance
     DeviceUint backgroundTexture;
+    float backgroundTurn[2]; // cosine and sine of the image's rotation about +Y
     DeviceInt maxDepth;
     float sceneRadius; // for the depth view
+    float fireflyClamp; // 0: none
+    DeviceUint transparentShadows;
 } DeviceShading;
 
 // A vertex of a mesh that can be posed, in the bind pose. Its lists end where those of the next vertex begin.
@@ -219,11 +238,11 @@ static_assert(sizeof(DeviceRay) == 32);
 static_assert(sizeof(DeviceHit) == 20);
 static_assert(sizeof(DeviceInstance) == 128);
 static_assert(sizeof(DeviceTriangle) == 16);
-static_assert(sizeof(DeviceMaterial) == 64);
+static_assert(sizeof(DeviceMaterial) == 112);
 static_assert(sizeof(DeviceTexture) == 16);
 static_assert(sizeof(DeviceLight) == 80);
-static_assert(sizeof(DeviceView) == 76);
-static_assert(sizeof(DeviceShading) == 36);
+static_assert(sizeof(DeviceView) == 88);
+static_assert(sizeof(DeviceShading) == 52);
 static_assert(sizeof(DeviceSkinVertex) == 32);
 static_assert(sizeof(DeviceInfluenceQuad) == 32);
 static_assert(sizeof(DeviceMorphOffset) == 32);

@@ -1,8 +1,8 @@
 // RayShader: turns each pixel's camera ray and its first hit into radiance and adds it to the pixel's sum.
-// PRIZMA_VIEW is 0 for Whitted, else one of the views.
+// PRIZMA_VIEW is 0 for Whitted, 1 for Path, else one of the views.
 #include "pixel_order.clh"
 
-#if PRIZMA_VIEW == 4
+#if PRIZMA_VIEW == 7
 #define PRIZMA_COUNT_STEPS
 #endif
 
@@ -10,6 +10,8 @@
 
 #if PRIZMA_VIEW == 0
 #include "shader_whitted.clh"
+#elif PRIZMA_VIEW == 1
+#include "shader_path.clh"
 #else
 #include "shader_views.clh"
 #endif
@@ -40,7 +42,7 @@ kernel void rayShader(SCENE_PARAMETERS, DeviceView view, DeviceShading shading, 
     uint steps = 0;
     scene.steps = &steps;
 #endif
-    Frame frame = {shading, 0, 0};
+    Frame frame = {shading, view.seed, view.sample, index, 0, 0};
     Ray ray = loadRay(rays + index);
     DeviceHit hit = hits[index];
     float3 radiance = shade(&scene, &frame, ray, hit);

@@ -206,7 +206,7 @@ void addRenderCommand(CLI::App& app) {
     command->add_flag("--overwrite", a->overwrite, "Render frames whose file is there, too")->needs(frames);
     command->add_option("--video", a->video, "Then make a video of the frames with ffmpeg: .mp4 or .webm")
         ->needs(frames);
-    command->add_option("--shader", a->shader, "whitted, normals, texcoords, depth or cost");
+    command->add_option("--shader", a->shader, "whitted, path, normals, texcoords, depth, material, object or cost");
     command->add_option("--device", a->device, "OpenCL device, as \"devices\" lists it");
     command->add_option("--up", a->upAxis, "Up axis of a bare model; without: what is usual for the format")
         ->check(CLI::IsMember({"y", "z"}));

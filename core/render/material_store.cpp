@@ -72,6 +72,15 @@ glm::dvec3 unitOrDown(const glm::dvec3& v) {
     return std::isfinite(length) && length > 0.0 ? v / length : glm::dvec3(0.0, -1.0, 0.0);
 }
 
+/// Beer-Lambert coefficients, per scene unit.
+glm::dvec3 absorptionOf(const Material& material) {
+    constexpr double blackest = 1e-6;
+    if (!(material.attenuationDistance > 0.0))
+        return glm::dvec3(0.0);
+    return -glm::log(glm::max(material.attenuationColor, glm::dvec3(blackest))) /
+           material.attenuationDistance;
+}
+
 double strengthOf(const Light& light) {
     switch (light.type) {
     case LightType::Point:
@@ -108,6 +117,7 @@ DeviceLight deviceLight(const Light& light, const glm::dvec3& anchor) {
     out.cosInner = static_cast<float>(std::cos(glm::radians(light.innerAngle)));
     out.cosOuter = static_cast<float>(std::cos(glm::radians(outer)));
     out.radius = static_cast<float>(light.radius);
+    out.visible = light.visible ? 1 : 0;
     return out;
 }
 
@@ -140,10 +150,9 @@ Result<void> MaterialStore::updateTextures(Context& context, const Scene& scene)
     if (auto ok = uploadConstants(context); !ok)
         return ok;
     std::set<ImagePtr> used{checkerboard_};
-    for (const Material& material : scene.materials) {
-        used.insert(material.baseColorTexture.image);
-        used.insert(material.normalTexture.image);
-    }
+    for (const Material& material : scene.materials)
+        for (const Texture& texture : texturesOf(material))
+            used.insert(texture.image);
     used.insert(scene.background.image.image);
     used.erase(nullptr);
     std::erase_if(pictures_, [&](const auto& entry) {
@@ -180,9 +189,22 @@ Result<void> MaterialStore::updateMaterials(Context& context, const Scene& scene
         out.roughness = static_cast<float>(material.roughness);
         out.transmission = static_cast<float>(material.transmission);
         out.ior = static_cast<float>(material.ior);
+        store(out.specularColor, material.specularColor);
+        store(out.absorption, absorptionOf(material));
+        out.alphaMode = static_cast<std::uint32_t>(material.alphaMode);
+        out.alphaCutoff = static_cast<float>(material.alphaCutoff);
+        out.doubleSided = material.doubleSided ? 1 : 0;
+        out.normalScale = static_cast<float>(material.normalScale);
+        // The checkerboard stands in for missing colours; other data that is missing changes nothing.
+        const auto dataIndex = [this](const Texture& texture) {
+            return texture.image ? indexOf(texture) : PRIZMA_NO_TEXTURE;
+        };
         out.baseColorTexture = indexOf(material.baseColorTexture);
-        out.normalTexture =
-            material.normalTexture.image ? indexOf(material.normalTexture) : PRIZMA_NO_TEXTURE;
+        out.emissionTexture = dataIndex(material.emissionTexture);
+        out.specularTexture = dataIndex(material.specularTexture);
+        out.metallicRoughnessTexture = dataIndex(material.metallicRoughnessTexture);
+        out.transmissionTexture = dataIndex(material.transmissionTexture);
+        out.normalTexture = dataIndex(material.normalTexture);
         indexOfMaterial_[material.id] = static_cast<std::uint32_t>(table.size());
         table.push_back(out);
     };

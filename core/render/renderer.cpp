@@ -151,6 +151,9 @@ DeviceView Renderer::viewOf(const Scene& scene, int width, int height) const {
     view.width = width;
     view.height = height;
     view.sample = static_cast<std::uint32_t>(state_.samples);
+    view.seed = static_cast<std::uint32_t>(scene.render.seed);
+    view.lensRadius = static_cast<float>(scene.camera.lensRadius);
+    view.focusDistance = static_cast<float>(focusDistanceOf(scene.camera));
     const glm::vec2 jitter = sobolPoint(view.sample);
     view.jitter[0] = jitter.x;
     view.jitter[1] = jitter.y;
@@ -165,7 +168,12 @@ DeviceShading Renderer::shadingOf(const Scene& scene) const {
     store(shading.ambient, (hasImage ? deviceScene_->materials().backgroundImageMean() : background.color) *
                                background.intensity);
     shading.backgroundTexture = deviceScene_->materials().indexOf(background.image);
+    const double turn = glm::radians(background.rotation);
+    shading.backgroundTurn[0] = static_cast<float>(std::cos(turn));
+    shading.backgroundTurn[1] = static_cast<float>(std::sin(turn));
     shading.maxDepth = scene.render.maxDepth;
+    shading.fireflyClamp = static_cast<float>(scene.render.fireflyClamp);
+    shading.transparentShadows = scene.render.transparentShadows ? 1 : 0;
     shading.sceneRadius = static_cast<float>(deviceScene_->instances().radius());
     return shading;
 }

@@ -24,4 +24,11 @@ CameraFrame frameOf(const Camera& camera) {
     return {right, glm::cross(right, forward), forward};
 }
 
+double focusDistanceOf(const Camera& camera) {
+    if (camera.focusDistance > 0.0)
+        return camera.focusDistance;
+    const double distance = glm::length(camera.target - camera.position);
+    return distance > 0.0 ? distance : 1.0;
+}
+
 } // namespace prizma

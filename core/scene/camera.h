@@ -4,12 +4,14 @@
 
 namespace prizma {
 
-/// A pinhole camera in world space.
+/// A pinhole or thin lens camera in world space.
 struct Camera {
     glm::dvec3 position{0.0, 1.5, 6.0};
     glm::dvec3 target{0.0, 1.0, 0.0}; ///< What it looks at, and what orbiting turns about.
     glm::dvec3 up{0.0, 1.0, 0.0};
-    double fovY = 45.0; ///< Vertical field of view in degrees.
+    double fovY = 45.0;         ///< Vertical field of view in degrees.
+    double lensRadius = 0.0;    ///< In scene units; 0: a pinhole, everything is sharp.
+    double focusDistance = 0.0; ///< Along the view direction, in scene units; 0: as far as the target.
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };
@@ -21,5 +23,8 @@ struct CameraFrame {
 };
 
 CameraFrame frameOf(const Camera& camera);
+
+/// Where the camera is sharp, along its view direction; never 0.
+double focusDistanceOf(const Camera& camera);
 
 } // namespace prizma

@@ -64,10 +64,18 @@ bool texturesDiffer(const CowList<Material>& before, const CowList<Material>& af
     if (before.size() != after.size())
         return true;
     for (std::size_t i = 0; i < before.size(); ++i)
-        if (before[i].id != after[i].id || before[i].baseColorTexture != after[i].baseColorTexture ||
-            before[i].normalTexture != after[i].normalTexture)
+        if (before[i].id != after[i].id || texturesOf(before[i]) != texturesOf(after[i]))
             return true;
     return false;
+}
+
+/// Whether a sample of the picture means something else; `samples` and the display's settings aside.
+bool samplesDiffer(RenderSettings before, const RenderSettings& after) {
+    before.samples = after.samples;
+    before.exposure = after.exposure;
+    before.viewTransform = after.viewTransform;
+    before.denoise = after.denoise;
+    return before != after;
 }
 
 } // namespace
@@ -92,10 +100,11 @@ SceneDiff diff(const Scene& before, const Scene& after) {
     changes.camera = before.camera != after.camera;
     changes.background = before.background != after.background;
     changes.time = before.timeline.seconds() != after.timeline.seconds();
-    changes.settings =
-        before.render.shader != after.render.shader || before.render.maxDepth != after.render.maxDepth;
+    changes.settings = samplesDiffer(before.render, after.render);
     changes.samples = before.render.samples != after.render.samples;
-    changes.exposure = before.render.exposure != after.render.exposure;
+    changes.exposure = before.render.exposure != after.render.exposure ||
+                       before.render.viewTransform != after.render.viewTransform ||
+                       before.render.denoise != after.render.denoise;
     return changes;
 }
 

@@ -23,7 +23,7 @@ struct SceneDiff {
     bool time = false;     ///< The seconds at which clips are evaluated.
     bool settings = false; ///< Shader or depth: what a sample is.
     bool samples = false;  ///< The limit only.
-    bool exposure = false;
+    bool exposure = false; ///< Or anything else that only the display depends on.
 
     bool isEmpty() const;
     bool isTimeOnly() const; ///< The time changed and nothing else, as while playing.

@@ -17,6 +17,7 @@ struct Light {
     std::string name;
     LightType type = LightType::Point;
     bool enabled = true;
+    bool visible = true; ///< Rectangle, sphere: the camera sees it.
 
     glm::dvec3 color{1.0};
     double intensity = 100.0; ///< Point, spot: W/sr.

@@ -96,6 +96,31 @@ Property<Object> playbackProperty(Texts texts, PropertyKind kind, Range range, A
     return partProperty<&Object::playback, part>(texts, kind, range, applies);
 }
 
+bool isMasked(const Material& material) {
+    return material.alphaMode == AlphaMode::Mask;
+}
+
+bool transmits(const Material& material) {
+    return material.transmission > 0.0;
+}
+
+bool hasNormalMap(const Material& material) {
+    return material.normalTexture.isSet();
+}
+
+bool hasLens(const Camera& camera) {
+    return camera.lensRadius > 0.0;
+}
+
+bool hasImage(const Background& background) {
+    return background.image.isSet();
+}
+
+template <ShaderType shader>
+bool isShader(const RenderSettings& settings) {
+    return settings.shader == shader;
+}
+
 bool hasClips(const Object& object) {
     return !object.clips.empty();
 }
@@ -123,11 +148,27 @@ std::span<const Choice> choicesOf<LightType>() {
 
 template <>
 std::span<const Choice> choicesOf<ShaderType>() {
-    static constexpr std::array<Choice, 5> choices{{{"whitted", "Whitted"},
+    static constexpr std::array<Choice, 8> choices{{{"whitted", "Whitted"},
+                                                    {"path", "Path"},
                                                     {"normals", "Normals"},
                                                     {"texcoords", "Texture coordinates"},
                                                     {"depth", "Depth"},
+                                                    {"material", "Materials"},
+                                                    {"object", "Objects"},
                                                     {"cost", "Traversal cost"}}};
+    return choices;
+}
+
+template <>
+std::span<const Choice> choicesOf<ViewTransform>() {
+    static constexpr std::array<Choice, 2> choices{{{"standard", "Standard (sRGB)"}, {"filmic", "Filmic"}}};
+    return choices;
+}
+
+template <>
+std::span<const Choice> choicesOf<AlphaMode>() {
+    static constexpr std::array<Choice, 3> choices{
+        {{"blend", "Blend"}, {"mask", "Mask"}, {"opaque", "Opaque"}}};
     return choices;
 }
 
@@ -205,6 +246,9 @@ std::span<const Property<Light>> propertiesOf() {
                                PropertyKind::Text),
         property<&Light::enabled>({"enabled", "On", "A light that is off costs nothing."},
                                   PropertyKind::Boolean),
+        property<&Light::visible>(
+            {"visible", "Visible", "The camera sees the light itself, not only what it lights."},
+            PropertyKind::Boolean, {}, isType<Rectangle, Sphere>),
         property<&Light::type>({"type", "Type", "What kind of light it is."}, PropertyKind::Choice),
         property<&Light::color>({"color", "Colour", "Multiplies the strength; linear RGB."},
                                 PropertyKind::Color, {"", 0.0, unlimited}),
@@ -248,26 +292,60 @@ std::span<const Property<Material>> propertiesOf() {
             {"baseColorTexture", "Base texture", "Multiplies the base colour."}, PropertyKind::Texture),
         property<&Material::alpha>({"alpha", "Alpha", "0 is a hole, 1 is solid."}, PropertyKind::Number,
                                    fraction),
+        property<&Material::alphaMode>(
+            {"alphaMode", "Alpha mode", "Blend mixes, Mask cuts holes, Opaque takes no notice of alpha."},
+            PropertyKind::Choice),
+        property<&Material::alphaCutoff>({"alphaCutoff", "Alpha cut-off", "Below it there is a hole."},
+                                         PropertyKind::Number, fraction, isMasked),
+        property<&Material::doubleSided>(
+            {"doubleSided", "Double-sided", "Otherwise the surface is not there when seen from behind."},
+            PropertyKind::Boolean),
         property<&Material::specular>({"specular", "Specular", "Strength of the reflection of a non-metal."},
                                       PropertyKind::Number, fraction),
+        property<&Material::specularColor>(
+            {"specularColor", "Specular colour", "Tints the reflection of a non-metal; linear RGB."},
+            PropertyKind::Color, fraction),
+        property<&Material::specularTexture>(
+            {"specularTexture", "Specular texture", "Its alpha multiplies the specular strength."},
+            PropertyKind::Texture),
         property<&Material::metallic>(
             {"metallic", "Metallic", "1 reflects in its base colour, as metals do."}, PropertyKind::Number,
             fraction),
         property<&Material::roughness>({"roughness", "Roughness", "0 is polished, 1 is matt."},
                                        PropertyKind::Number, fraction),
+        property<&Material::metallicRoughnessTexture>({"metallicRoughnessTexture",
+                                                       "Metallic and roughness texture",
+                                                       "Its blue multiplies metallic, its green roughness."},
+                                                      PropertyKind::Texture),
         property<&Material::transmission>(
             {"transmission", "Transmission", "1 lets light through, as glass does."}, PropertyKind::Number,
             fraction),
+        property<&Material::transmissionTexture>(
+            {"transmissionTexture", "Transmission texture", "Its red multiplies the transmission."},
+            PropertyKind::Texture),
         property<&Material::ior>({"ior", "Refraction index", "1 air, 1.33 water, 1.5 glass, 2.42 diamond."},
                                  PropertyKind::Number, {"", 1.0, 4.0, 0.01}),
+        property<&Material::attenuationColor>(
+            {"attenuationColor", "Absorption colour",
+             "What is left of white light after the absorption distance inside."},
+            PropertyKind::Color, fraction, transmits),
+        property<&Material::attenuationDistance>(
+            {"attenuationDistance", "Absorption distance",
+             "How far light goes inside until it has the absorption colour; 0: nothing is absorbed."},
+            PropertyKind::Number, {"", 0.0, unlimited, 0.1}, transmits),
         property<&Material::emission>(
             {"emission", "Emission", "Light that the surface sends out; linear RGB."}, PropertyKind::Color,
             {"", 0.0, unlimited}),
         property<&Material::emissionStrength>(
             {"emissionStrength", "Emission strength", "Multiplies the emission."}, PropertyKind::Number,
             {"W/m²sr", 0.0, unlimited, 0.5}),
+        property<&Material::emissionTexture>(
+            {"emissionTexture", "Emission texture", "Multiplies the emission."}, PropertyKind::Texture),
         property<&Material::normalTexture>({"normalTexture", "Normal map", "Bends the surface's normal."},
                                            PropertyKind::Texture),
+        property<&Material::normalScale>(
+            {"normalScale", "Normal strength", "How far the normal map bends the normal; 1 is as painted."},
+            PropertyKind::Number, {"", -10.0, 10.0, 0.1}, hasNormalMap),
     };
     return properties;
 }
@@ -282,6 +360,12 @@ std::span<const Property<Camera>> propertiesOf() {
                               PropertyKind::Vector3),
         property<&Camera::fovY>({"fovY", "Field of view", "Vertical opening angle."}, PropertyKind::Number,
                                 {"°", 1.0, 170.0, 1.0}),
+        property<&Camera::lensRadius>(
+            {"lensRadius", "Lens radius", "Blurs what is out of focus (shader Path); 0 is a pinhole."},
+            PropertyKind::Number, {"", 0.0, unlimited, 0.01}),
+        property<&Camera::focusDistance>(
+            {"focusDistance", "Focus distance", "How far away things are sharp; 0: at the target."},
+            PropertyKind::Number, {"", 0.0, unlimited, 0.1}, hasLens),
     };
     return properties;
 }
@@ -295,6 +379,8 @@ std::span<const Property<Background>> propertiesOf() {
                                      PropertyKind::Texture),
         property<&Background::intensity>({"intensity", "Intensity", "Multiplies colour or image."},
                                          PropertyKind::Number, {"", 0.0, unlimited, 0.1}),
+        property<&Background::rotation>({"rotation", "Rotation", "Turns the image about the vertical axis."},
+                                        PropertyKind::Number, {"°", -360.0, 360.0, 5.0}, hasImage),
     };
     return properties;
 }
@@ -320,12 +406,29 @@ std::span<const Property<RenderSettings>> propertiesOf() {
         property<&RenderSettings::shader>({"shader", "Shader", "What is drawn where a ray hits."},
                                           PropertyKind::Choice),
         property<&RenderSettings::maxDepth>(
-            {"maxDepth", "Depth", "How often a ray may be reflected or refracted."}, PropertyKind::Integer,
-            {"", 0.0, 6.0, 1.0}),
+            {"maxDepth", "Depth", "How often light may bounce; Whitted follows 6 bounces at most."},
+            PropertyKind::Integer, {"", 0.0, 64.0, 1.0}),
+        property<&RenderSettings::transparentShadows>(
+            {"transparentShadows", "Transparent shadows", "Glass lets light straight through in its shadow."},
+            PropertyKind::Boolean, {}, isShader<ShaderType::Whitted>),
+        property<&RenderSettings::fireflyClamp>(
+            {"fireflyClamp", "Firefly limit",
+             "Brightest radiance that one indirect sample may add; 0: no limit. Darkens the picture."},
+            PropertyKind::Number, {"W/m²sr", 0.0, unlimited, 1.0}, isShader<ShaderType::Path>),
+        property<&RenderSettings::seed>({"seed", "Seed", "Another number, other noise."},
+                                        PropertyKind::Integer, {"", 0.0, 1e6, 1.0},
+                                        isShader<ShaderType::Path>),
         property<&RenderSettings::samples>({"samples", "Samples", "A pixel is done after this many."},
                                            PropertyKind::Integer, {"", 1.0, 1e6, 16.0}),
         property<&RenderSettings::exposure>({"exposure", "Exposure", "Brightness of the display."},
                                             PropertyKind::Number, {"stops", -20.0, 20.0, 0.1}),
+        property<&RenderSettings::viewTransform>(
+            {"viewTransform", "View", "How radiance becomes colours of the screen; EXR files stay linear."},
+            PropertyKind::Choice),
+        property<&RenderSettings::denoise>(
+            {"denoise", "Denoise preview",
+             "Smooths the picture on the screen along surfaces; files stay as they are."},
+            PropertyKind::Boolean),
     };
     return properties;
 }

@@ -27,6 +27,10 @@ std::span<const Choice> choicesOf<LightType>();
 template <>
 std::span<const Choice> choicesOf<ShaderType>();
 template <>
+std::span<const Choice> choicesOf<ViewTransform>();
+template <>
+std::span<const Choice> choicesOf<AlphaMode>();
+template <>
 std::span<const Choice> choicesOf<PrimitiveType>();
 template <>
 std::span<const Choice> choicesOf<UpAxis>();

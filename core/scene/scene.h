@@ -15,6 +15,7 @@ struct Background {
     glm::dvec3 color{0.05, 0.06, 0.08}; ///< Radiance where there is no image.
     Texture image;                      ///< Equirectangular; its middle looks along -Z.
     double intensity = 1.0;             ///< Multiplies colour or image.
+    double rotation = 0.0;              ///< Of the image about +Y, in degrees.
 
     friend bool operator==(const Background&, const Background&) = default;
 };
@@ -34,13 +35,24 @@ struct Timeline {
 };
 
 /// What a ray's first hit turns into.
-enum class ShaderType { Whitted, Normals, TexCoords, Depth, TraversalCost };
+enum class ShaderType { Whitted, Path, Normals, TexCoords, Depth, Material, Object, TraversalCost };
+
+/// How linear radiance becomes what a screen shows.
+enum class ViewTransform {
+    Standard, ///< The sRGB curve; what is brighter than white is white.
+    Filmic    ///< A film's soft shoulder: highlights fade to white.
+};
 
 struct RenderSettings {
     ShaderType shader = ShaderType::Whitted;
-    int maxDepth = 6;      ///< Mirror and glass bounces; 0 is direct light only.
-    int samples = 256;     ///< A pixel is done after this many.
-    double exposure = 0.0; ///< In stops; display only.
+    int maxDepth = 6;                ///< Bounces; 0 is direct light only. Whitted follows 6 at most.
+    bool transparentShadows = false; ///< Whitted: light goes straight through glass instead of being stopped.
+    double fireflyClamp = 0.0; ///< Path: brightest radiance that one indirect sample may add; 0: no limit.
+    int seed = 0;              ///< Another seed, other noise.
+    int samples = 256;         ///< A pixel is done after this many.
+    double exposure = 0.0;     ///< In stops; display only.
+    ViewTransform viewTransform = ViewTransform::Standard; ///< Display only.
+    bool denoise = false; ///< The preview only: the picture is smoothed along surfaces, and marked so.
 
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
 };

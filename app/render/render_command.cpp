@@ -27,6 +27,7 @@ struct RenderArguments {
     std::string frames;
     std::vector<std::string> assignments;
     std::string video;
+    int depth = 8;
     bool overwrite = false, statistics = false, json = false;
 };
 
@@ -153,10 +154,13 @@ void renderFrames(Renderer& renderer, const Scene& scene, const RenderArguments&
         makeVideo(options, arguments, fps);
 }
 
-void run(const RenderArguments& arguments) {
+void run(RenderArguments& arguments) {
     const std::string extension = lowerExtension(arguments.output);
     if (extension != "png" && extension != "exr")
         fail({Severity::Error, "the output must end in .png or .exr", arguments.output, 0});
+    if (arguments.depth == 16 && extension == "exr")
+        fail({Severity::Error, "--depth is for PNG: an EXR file has 32 bits a channel", arguments.output, 0});
+    arguments.options.deep = arguments.depth == 16;
     auto scene = prepareScene(arguments);
     if (!scene)
         fail(scene.error());
@@ -183,7 +187,13 @@ void addRenderCommand(CLI::App& app) {
         ->add_option("files", a->files,
                      "A .prizma project, or a model; animations may follow that belong to it")
         ->required();
-    command->add_option("-o,--output", a->output, "Picture to write: .png or .exr")->required();
+    command
+        ->add_option("-o,--output", a->output,
+                     "Picture to write: .png (exposure and view transform applied, sRGB) or .exr (linear)")
+        ->required();
+    command->add_option("--depth", a->depth, "Bits a channel of a PNG file: 8 or 16")
+        ->check(CLI::IsMember({8, 16}))
+        ->capture_default_str();
     command->add_option("--width", a->options.width, "Pixels across")
         ->check(CLI::Range(1, 32768))
         ->capture_default_str();
@@ -206,7 +216,8 @@ void addRenderCommand(CLI::App& app) {
     command->add_flag("--overwrite", a->overwrite, "Render frames whose file is there, too")->needs(frames);
     command->add_option("--video", a->video, "Then make a video of the frames with ffmpeg: .mp4 or .webm")
         ->needs(frames);
-    command->add_option("--shader", a->shader, "whitted, path, normals, texcoords, depth, material, object or cost");
+    command->add_option("--shader", a->shader,
+                        "whitted, path, normals, texcoords, depth, material, object or cost");
     command->add_option("--device", a->device, "OpenCL device, as \"devices\" lists it");
     command->add_option("--up", a->upAxis, "Up axis of a bare model; without: what is usual for the format")
         ->check(CLI::IsMember({"y", "z"}));

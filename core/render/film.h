@@ -16,9 +16,6 @@ struct Film {
     Buffer<DeviceHit> hits;
     Buffer<float> sums, losses; ///< Four floats a pixel.
     Buffer<std::uint32_t> rayCounts;
-    Buffer<std::uint32_t> display;  ///< Row by row.
-    Buffer<std::uint32_t> encoding; ///< How linear values become sRGB bytes (kernels/display.cl).
-    Buffer<float> mean;             ///< Row by row, four floats a pixel; only once asked for.
 
     Result<void> resize(Context& context, int newWidth, int newHeight);
 };

@@ -1,4 +1,5 @@
 #include "core/import/image_loader.h"
+#include "core/import/image_saver.h"
 
 #include <QDir>
 #include <QFile>

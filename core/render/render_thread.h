@@ -32,7 +32,7 @@ struct Frame {
     int sampleLimit = 0;
     bool isFinal = false; ///< Nothing more comes until the next request.
     Camera camera;        ///< The camera it shows.
-    Scene scene;          ///< The snapshot it shows: what is drawn over the picture fits it, however late it is.
+    Scene scene; ///< The snapshot it shows: what is drawn over the picture fits it, however late it is.
     RenderStatistics statistics;
 };
 

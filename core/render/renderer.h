@@ -20,7 +20,8 @@ struct RendererOptions {
     std::optional<TreeLayout> layout; ///< Nothing: what suits the device.
     std::function<void()> treeReady;  ///< From another thread: a tree that a scene waits for has been built.
     std::function<void()> building;   ///< Before kernels are compiled.
-    bool renewTrees = true;           ///< Build trees anew, in the background, that refitting has worn out.
+    bool packets = true;    ///< RayShader may work on packets of pixels, on devices where that pays.
+    bool renewTrees = true; ///< Build trees anew, in the background, that refitting has worn out.
 };
 
 /// Renders scenes on one device: plans, brings the device up to date, adds sample after sample. For one
@@ -65,9 +66,9 @@ class Renderer {
     /// Linear radiance and coverage, RGBA.
     Result<std::vector<float>> mean();
 
-    /// Of the last plan and pass. Counting rays costs a read of one number a pixel: only where `countRays` is
-    /// set.
-    RenderStatistics statistics(bool countRays);
+    /// Of the last plan and pass. Rays, times of the pass and pixels that are no numbers are read from the
+    /// device (two bytes a pixel): only where `readWork` is set.
+    RenderStatistics statistics(bool readWork);
 
     /// What the centre of a pixel of a view shows; the scene is the one of the last `begin`.
     Result<Pick> pick(double x, double y, int viewWidth, int viewHeight);
@@ -82,6 +83,8 @@ class Renderer {
 
     Result<void> update(const RenderPlan& plan, const Scene& scene);
     Result<void> launchChunk(std::uint32_t count);
+    Result<void> traceCameraRays(std::uint32_t count, ClEvent& generated, ClEvent& traced);
+    void addWork(RenderStatistics& statistics);
     DeviceView viewOf(const Scene& scene, int width, int height) const;
     DeviceShading shadingOf(const Scene& scene) const;
     void record(Stage stage, double milliseconds);
@@ -94,7 +97,7 @@ class Renderer {
     Film film_;
 
     RenderPlan plan_;
-    Kernel* rayShader_ = nullptr;
+    RayShader* rayShader_ = nullptr;
     DeviceView view_{};
     DeviceShading shading_{};
     std::uint32_t nextPixel_ = 0;
@@ -103,6 +106,7 @@ class Renderer {
     std::vector<StageStatistics> stageStatistics_;
     std::chrono::steady_clock::time_point began_;
     double passMilliseconds_ = 0.0;
+    PassTimes passTimes_; ///< As far as the kernels' own times tell.
 };
 
 } // namespace prizma

@@ -41,15 +41,14 @@ kernel void rayShaderPacket(SCENE_PARAMETERS, DeviceView view, DeviceShading sha
 #include "accumulate.clh"
 
 // Radiance and coverage of a pixel; counts what it took into `total`, which the work group shares.
-inline void shadePixel(const Scene* scene, Frame* frame, const global DeviceRay* ray, const global DeviceHit* hit,
-                       global float4* sum, global float4* loss, local uint* total) {
-    DeviceHit first = *hit;
-    float3 radiance = shade(scene, frame, loadRay(ray), first);
+inline void shadePixel(const Scene* scene, Frame* frame, Ray ray, DeviceHit hit, global float4* sum,
+                       global float4* loss, local uint* total) {
+    float3 radiance = shade(scene, frame, ray, hit);
     if (!allFinite(radiance)) { // would stay in the sum for ever
         radiance = (float3)(0.0f);
         atomic_inc(total + 2);
     }
-    float alpha = first.instance == PRIZMA_NO_HIT ? 0.0f : 1.0f;
+    float alpha = hit.instance == PRIZMA_NO_HIT ? 0.0f : 1.0f;
     accumulate(sum, loss, (float4)(radiance, alpha), frame->sample == 0);
     if (frame->shadowRays != 0)
         atomic_add(total, frame->shadowRays);
@@ -75,7 +74,9 @@ kernel void rayShader(SCENE_PARAMETERS, DeviceView view, DeviceShading shading, 
         scene.steps = &steps;
 #endif
         Frame frame = {shading, view.seed, view.sample, index, 0, 0};
-        shadePixel(&scene, &frame, rays + index, hits + index, sums + index, losses + index, total);
+        Ray ray = loadRay(rays + index);
+        giveCameraCone(&ray, &view);
+        shadePixel(&scene, &frame, ray, hits[index], sums + index, losses + index, total);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) {

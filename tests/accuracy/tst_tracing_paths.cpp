@@ -45,13 +45,25 @@ double uniform(std::mt19937& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
+/// Noise with holes.
+Texture randomTexture(std::mt19937& random) {
+    auto image = std::make_shared<Image>();
+    image->width = 8;
+    image->height = 8;
+    image->opaque = false;
+    for (int i = 0; i < 4 * image->width * image->height; ++i)
+        image->bytes.push_back(static_cast<std::uint8_t>(random() % 256));
+    return {{}, image};
+}
+
 Material randomMaterial(std::mt19937& random) {
     Material material;
+    material.doubleSided = random() % 4 != 0;
     material.baseColor = {uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1)};
     material.specular = uniform(random, 0, 1);
     material.roughness = uniform(random, 0, 1);
     material.ior = uniform(random, 1.0, 2.0);
-    switch (random() % 6) {
+    switch (random() % 8) {
     case 0:
         material.metallic = 1.0;
         break;
@@ -67,6 +79,16 @@ Material randomMaterial(std::mt19937& random) {
     case 4:
         material.emission = {uniform(random, 0, 1), uniform(random, 0, 1), uniform(random, 0, 1)};
         material.emissionStrength = uniform(random, 0, 2);
+        break;
+    case 5:
+        material.baseColorTexture = randomTexture(random);
+        material.alphaMode = AlphaMode::Mask;
+        break;
+    case 6:
+        material.baseColorTexture = randomTexture(random);
+        material.alphaMode = AlphaMode::Opaque;
+        material.normalTexture = randomTexture(random);
+        material.metallicRoughnessTexture = randomTexture(random);
         break;
     default:
         break;
@@ -96,6 +118,7 @@ Scene randomScene(std::uint32_t seed) {
     Scene scene;
     scene.camera = {{0, 3, 9}, {0, 0.5, 0}, {0, 1, 0}, 45.0};
     scene.background.color = {0.2, 0.3, 0.4};
+    scene.render.transparentShadows = random() % 3 == 0;
     addObject(scene, primitiveObject(PrimitiveType::Plane, 20.0, addMaterial(scene, randomMaterial(random))));
     constexpr PrimitiveType types[] = {PrimitiveType::Cube, PrimitiveType::Sphere, PrimitiveType::Cylinder,
                                        PrimitiveType::Torus};

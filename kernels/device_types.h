@@ -237,6 +237,16 @@ typedef struct {
     DeviceUint nodeBase;
 } DeviceRefitEntry;
 
+// What a work group of RayShader (or a packet of sixteen pixels) did in one pass. `times` are in ticks of the processor's
+// clock, of the few packets that look at it: see packet_work.clh.
+typedef struct {
+    DeviceUint shadowRays;
+    DeviceUint secondaryRays;
+    DeviceUint nonFinite; // pixels whose sample was not a number or infinite: counted, and left out of the sum
+    DeviceUint times[6];
+    DeviceUint padding;
+} DeviceWork;
+
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(WideNode) == 224);
 static_assert(sizeof(WideLeaf) == 320);
@@ -257,6 +267,7 @@ static_assert(sizeof(DeviceMorphOffset) == 32);
 static_assert(sizeof(DeviceVertexBlock) == 20);
 static_assert(sizeof(DeviceTreeBlock) == 20);
 static_assert(sizeof(DeviceRefitEntry) == 8);
+static_assert(sizeof(DeviceWork) == 40);
 } // namespace prizma
 #endif
 

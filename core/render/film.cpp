@@ -12,12 +12,16 @@ Result<void> Film::resize(Context& context, int newWidth, int newHeight) {
         if (ok)
             ok = buffer.reserve(context, count, "picture");
     };
-    reserve(rays, pixelCount);
-    reserve(hits, pixelCount);
     reserve(sums, 4ull * pixelCount);
     reserve(losses, 4ull * pixelCount);
-    reserve(rayCounts, pixelCount);
+    reserve(work, pixelCount / pixelsAWork);
     return ok;
+}
+
+Result<void> Film::reserveRays(Context& context) {
+    if (auto ok = rays.reserve(context, pixelCount, "picture"); !ok)
+        return ok;
+    return hits.reserve(context, pixelCount, "picture");
 }
 
 } // namespace prizma

@@ -27,8 +27,10 @@ struct OfflinePicture : Picture {
     /// picture and the one of half as many samples, whose square has the variance of the picture as its mean.
     /// 0 for one sample.
     double error = 0.0;
-    std::uint64_t nonFinitePixels = 0;
+    std::uint64_t nonFinitePixels =
+        0; ///< Samples left out because they were no numbers, and such pixels of the picture.
     OfflineTimes times;
+    PassTimes passTimes; ///< Of all passes.
     RayCounts rays;
 };
 

@@ -24,7 +24,8 @@ struct RendererOptions {
     std::optional<TreeLayout> layout; ///< Nothing: what suits the device.
     std::function<void()> treeReady;  ///< From another thread: a tree that a scene waits for has been built.
     std::function<void()> building;   ///< Before kernels are compiled.
-    bool renewTrees = true;           ///< Build trees anew, in the background, that refitting has worn out.
+    bool packets = true;    ///< RayShader may work on packets of pixels, on devices where that pays.
+    bool renewTrees = true; ///< Build trees anew, in the background, that refitting has worn out.
 };
 
 /// A picture for the screen, sRGB RGBA.
@@ -85,9 +86,9 @@ class Renderer {
     /// Linear radiance and coverage, RGBA.
     Result<std::vector<float>> mean();
 
-    /// Of the last plan and pass. Counting rays costs a read of one number a pixel: only where `countRays` is
-    /// set.
-    RenderStatistics statistics(bool countRays);
+    /// Of the last plan and pass. Rays, times of the pass and pixels that are no numbers are read from the
+    /// device (two bytes a pixel): only where `readWork` is set.
+    RenderStatistics statistics(bool readWork);
 
     /// What the centre of a pixel of a view shows; the scene is the one of the last `begin`.
     Result<Pick> pick(double x, double y, int viewWidth, int viewHeight);
@@ -102,6 +103,8 @@ class Renderer {
 
     Result<void> update(const RenderPlan& plan, const Scene& scene);
     Result<void> launchChunk(std::uint32_t count);
+    Result<void> traceCameraRays(std::uint32_t count, ClEvent& generated, ClEvent& traced);
+    void addWork(RenderStatistics& statistics);
     DeviceView viewOf(const Scene& scene, int width, int height) const;
     DeviceShading shadingOf(const Scene& scene) const;
     void record(Stage stage, double milliseconds);
@@ -120,7 +123,7 @@ class Renderer {
     bool hasGuides_ = false;                  ///< Of the present picture.
 
     RenderPlan plan_;
-    Kernel* rayShader_ = nullptr;
+    RayShader* rayShader_ = nullptr;
     DeviceView view_{};
     DeviceShading shading_{};
     std::uint32_t nextPixel_ = 0;
@@ -129,6 +132,7 @@ class Renderer {
     std::vector<StageStatistics> stageStatistics_;
     std::chrono::steady_clock::time_point began_;
     double passMilliseconds_ = 0.0;
+    PassTimes passTimes_; ///< As far as the kernels' own times tell.
 };
 
 } // namespace prizma

@@ -28,6 +28,13 @@ typedef std::int32_t DeviceInt;
 // Linear values up to here (2^-13) are byte 0 in sRGB.
 #define PRIZMA_SRGB_SMALLEST 0.0001220703125f
 
+// Between these (2^-13 and 2^5) the filmic curve goes from black to white.
+#define PRIZMA_FILMIC_SMALLEST 0.0001220703125f
+#define PRIZMA_FILMIC_LARGEST 32.0f
+
+// Places beside a row of the denoiser's planes: as far as its widest step reads.
+#define PRIZMA_DENOISE_MARGIN 32
+
 // Wide8: boxes of eight children as lowX, highX, lowY, highY, lowZ, highZ. A missing child has an inside-out box.
 typedef struct {
     float bounds[6][8];

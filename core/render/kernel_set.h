@@ -27,7 +27,7 @@ class KernelSet {
 
     Kernel vertexShader, triangleShader, refitTreeShader, refitSmallLevels, gatherRoots;
     Kernel generateCameraRays, traceClosest, traceAny, tracePacket, traceAnyPacket;
-    Kernel toneMap, meanRadiance;
+    Kernel toneMap, toneMapFilmic, toneMapDeep, meanRadiance;
 
     /// The RayShader kernel for `type`, built on first use.
     Result<RayShader*> rayShader(Context& context, ShaderType type);

@@ -99,8 +99,8 @@ Result<void> savePng(const std::string& file, int width, int height,
     return writePng(file, width, height, pixels);
 }
 
-Result<void> savePng(const std::string& file, int width, int height,
-                     const std::vector<std::uint16_t>& pixels) {
+Result<void> savePng16(const std::string& file, int width, int height,
+                       const std::vector<std::uint16_t>& pixels) {
     return writePng(file, width, height, pixels);
 }
 

@@ -14,7 +14,7 @@ Result<void> savePicture(const Picture& picture, PictureFormat format, const std
     case PictureFormat::Png8:
         return savePng(file, picture.width, picture.height, picture.display);
     case PictureFormat::Png16:
-        return savePng(file, picture.width, picture.height, picture.deep);
+        return savePng16(file, picture.width, picture.height, picture.deep);
     case PictureFormat::Exr:
         break;
     }

@@ -192,7 +192,8 @@ class LightSamplingTest : public QObject {
 
   private:
     /// Integrals of the density over all cells: a few points in each, many where it jumps.
-    std::vector<double> integrals(const Place& place, const Cells& cells, RandomNumbers& random);
+    std::vector<double> integrals(const Place& place, const Cells& cells, const std::vector<double>& counts,
+                                  RandomNumbers& random);
     std::vector<double> densitiesIn(const Place& place, const Cells& cells,
                                     const std::vector<std::size_t>& which, int side, RandomNumbers& random,
                                     std::vector<bool>* varies);
@@ -242,21 +243,26 @@ std::vector<double> LightSamplingTest::densitiesIn(const Place& place, const Cel
 }
 
 std::vector<double> LightSamplingTest::integrals(const Place& place, const Cells& cells,
-                                                 RandomNumbers& random) {
+                                                 const std::vector<double>& counts, RandomNumbers& random) {
     std::vector<std::size_t> all(static_cast<std::size_t>(Cells::rows * Cells::columns));
     for (std::size_t i = 0; i < all.size(); ++i)
         all[i] = i;
     std::vector<bool> varies;
     std::vector<double> result = densitiesIn(place, cells, all, 4, random, &varies);
-    std::vector<std::size_t> uneven; // cells in which the density jumps, and what is beside them
+    // Cells in which the density jumps, and what is beside them.
+    std::vector<std::size_t> uneven;
     for (std::size_t i = 0; i < all.size(); ++i) {
         bool refined = false;
         for (const std::size_t other : Cells::around(i))
-            refined = refined || varies[other] || std::abs(result[other] - result[i]) > 0.05 * result[i];
+            refined = refined || varies[other] || std::abs(result[other] - result[i]) > 0.05 * result[i] ||
+                      (counts[other] > 0.0 && result[other] == 0.0);
         if (refined)
             uneven.push_back(i);
     }
-    const std::vector<double> finer = densitiesIn(place, cells, uneven, 40, random, nullptr);
+    constexpr double evaluations = 4e6;
+    const int side = std::clamp(
+        static_cast<int>(std::sqrt(evaluations / static_cast<double>(uneven.size() + 1))), 20, 250);
+    const std::vector<double> finer = densitiesIn(place, cells, uneven, side, random, nullptr);
     for (std::size_t i = 0; i < uneven.size(); ++i)
         result[uneven[i]] = finer[i];
     for (double& value : result)
@@ -310,7 +316,7 @@ std::vector<std::pair<std::string, Place>> places() {
     all.emplace_back("near triangle", placeOfTriangle({{-3, 0.01f, -1}, {2, 0.02f, -2}, {0, 0.01f, 3}}));
     all.emplace_back("triangle seen from its edge",
                      placeOfTriangle({{1, 0.1f, -1}, {3, 0.2f, -1}, {2, 0.2f, 2}}));
-    all.emplace_back("sliver", placeOfTriangle({{1, 1, -3}, {1.01f, 1, -3}, {1, 1.1f, 3}}));
+    all.emplace_back("sliver", placeOfTriangle({{1, 1, -3}, {1.1f, 1, -3}, {1, 1.1f, 3}}));
     Place uniform{emptyScene(), glm::dvec3(0.0), glm::dvec3(0.0)};
     uniform.scene.background.color = glm::dvec3(0.3, 1.0, 0.2);
     all.emplace_back("even background", uniform);
@@ -356,7 +362,7 @@ void LightSamplingTest::densitiesMatchHistograms() {
         counts[cells.cellOf(answer.towards())] += 1.0;
     }
 
-    std::vector<double> expected = integrals(place, cells, random);
+    std::vector<double> expected = integrals(place, cells, counts, random);
     double sum = 0.0;
     for (double& value : expected) {
         sum += value;

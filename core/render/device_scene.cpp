@@ -87,7 +87,7 @@ void DeviceScene::setSceneArguments(Kernel& kernel) const {
     kernel.setArguments(instances_.topNodes(), instances_.count(), instances_.instances(), geometry_.nodes(),
                         geometry_.leaves(), geometry_.positions(), geometry_.normals(), geometry_.texCoords(),
                         geometry_.triangles(), instances_.slots(), materials_.materials(),
-                        materials_.textures(), materials_.texels());
+                        materials_.textures(), materials_.texels(), materials_.hasHoles() ? 1u : 0u);
     lights_.addArguments(kernel);
 }
 

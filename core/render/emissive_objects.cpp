@@ -19,7 +19,8 @@ std::unordered_map<Id, Slot> shiningMaterials(const Scene& scene) {
         const glm::dvec3 radiance = glm::max(material.emission * material.emissionStrength, glm::dvec3(0.0));
         const double sum = glm::dot(radiance, glm::dvec3(1.0));
         if (sum > 0.0 && std::isfinite(sum))
-            shining[material.id] = {radiance, material.emissionTexture.image, material.doubleSided};
+            shining[material.id] = {radiance, material.emissionTexture.image,
+                                    material.doubleSided || material.transmission != 0.0};
     }
     return shining;
 }
@@ -58,7 +59,7 @@ class Collector {
                 corners[static_cast<std::size_t>(k)] =
                     glm::dvec3(toAnchor * glm::dvec4(mesh.positions[mesh.triangles[i][k]], 1.0));
             LightBounds bounds = boundsOf(corners, determinant < 0.0, strengths[slot]);
-            bounds.twoSided = object.slots[slot].doubleSided;
+            bounds.twoSided = object.slots[slot].bothSides;
             if (object.posed) {
                 bounds.moves = true;
                 bounds.box = {glm::vec3(whole.low), glm::vec3(whole.high)};

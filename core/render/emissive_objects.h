@@ -14,8 +14,8 @@ struct EmissiveObject {
     /// What a material slot's triangles give. 0 radiance: nothing.
     struct Slot {
         glm::dvec3 radiance{0.0};
-        ImagePtr texture; ///< Multiplies it.
-        bool doubleSided = true;
+        ImagePtr texture;      ///< Multiplies it.
+        bool bothSides = true; ///< As surfaceAt in kernels/surface.clh has it.
 
         bool shines() const { return glm::dot(radiance, glm::dvec3(1.0)) > 0.0; }
         friend bool operator==(const Slot&, const Slot&) = default;

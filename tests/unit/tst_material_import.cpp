@@ -2,6 +2,7 @@
 #include "core/import/derived_pictures.h"
 #include "core/import/gltf_extras.h"
 #include "core/import/image_loader.h"
+#include "core/import/image_saver.h"
 #include "core/import/model_importer.h"
 #include "core/import/mtl_reader.h"
 #include "core/project/project_file.h"

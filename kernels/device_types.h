@@ -166,6 +166,7 @@ typedef struct {
     DeviceUint seed;
     float lensRadius;
     float focusDistance; // along `forward`
+    DeviceUint scattered; // each pixel has a place inside it of its own instead of `jitter`
 } DeviceView;
 
 // What RayShader needs to know beside the scene.
@@ -241,7 +242,7 @@ static_assert(sizeof(DeviceTriangle) == 16);
 static_assert(sizeof(DeviceMaterial) == 112);
 static_assert(sizeof(DeviceTexture) == 16);
 static_assert(sizeof(DeviceLight) == 80);
-static_assert(sizeof(DeviceView) == 88);
+static_assert(sizeof(DeviceView) == 92);
 static_assert(sizeof(DeviceShading) == 52);
 static_assert(sizeof(DeviceSkinVertex) == 32);
 static_assert(sizeof(DeviceInfluenceQuad) == 32);

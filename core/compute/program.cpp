@@ -89,7 +89,11 @@ fs::path programCacheFolder() {
 }
 
 Result<ClProgram> buildProgram(Context& context, const std::string& file, const std::string& options) {
-    const std::string source = expandedKernelSource(file);
+    return buildProgramFrom(context, expandedKernelSource(file), file, options);
+}
+
+Result<ClProgram> buildProgramFrom(Context& context, const std::string& source, const std::string& name,
+                                   const std::string& options) {
     const DeviceInfo& info = context.info();
     const fs::path folder = programCacheFolder();
     const fs::path cached =
@@ -106,7 +110,7 @@ Result<ClProgram> buildProgram(Context& context, const std::string& file, const 
     if (code == CL_SUCCESS)
         code = clBuildProgram(program.get(), 1, &device, options.c_str(), nullptr, nullptr);
     if (code != CL_SUCCESS)
-        return failure("The kernels in " + file + " do not compile on " + info.name + " (" +
+        return failure("The kernels in " + name + " do not compile on " + info.name + " (" +
                        clErrorText(code) + "):\n" +
                        (program ? buildLog(program.get(), device) : std::string()));
     if (!folder.empty())

@@ -18,4 +18,8 @@ std::filesystem::path programCacheFolder();
 /// Errors hold the compiler's log.
 Result<ClProgram> buildProgram(Context& context, const std::string& file, const std::string& options);
 
+/// The same for a text without #include directives (expandedKernelText); `name` is for messages.
+Result<ClProgram> buildProgramFrom(Context& context, const std::string& source, const std::string& name,
+                                   const std::string& options);
+
 } // namespace prizma

@@ -39,10 +39,10 @@ void expand(std::string_view name, std::string_view text, std::vector<std::strin
 } // namespace
 
 std::string expandedKernelSource(std::string_view name) {
-    return expandedKernelText(name, kernelFile(name));
+    return expandedKernelSource(name, kernelFile(name));
 }
 
-std::string expandedKernelText(std::string_view name, std::string_view text) {
+std::string expandedKernelSource(std::string_view name, std::string_view text) {
     std::vector<std::string_view> open;
     std::string out;
     expand(name, text, open, out);

@@ -89,11 +89,12 @@ fs::path programCacheFolder() {
 }
 
 Result<ClProgram> buildProgram(Context& context, const std::string& file, const std::string& options) {
-    return buildProgramFrom(context, expandedKernelSource(file), file, options);
+    return buildProgram(context, file, kernelFile(file), options);
 }
 
-Result<ClProgram> buildProgramFrom(Context& context, const std::string& source, const std::string& name,
-                                   const std::string& options) {
+Result<ClProgram> buildProgram(Context& context, const std::string& file, std::string_view content,
+                               const std::string& options) {
+    const std::string source = expandedKernelSource(file, content);
     const DeviceInfo& info = context.info();
     const fs::path folder = programCacheFolder();
     const fs::path cached =
@@ -110,7 +111,7 @@ Result<ClProgram> buildProgramFrom(Context& context, const std::string& source, 
     if (code == CL_SUCCESS)
         code = clBuildProgram(program.get(), 1, &device, options.c_str(), nullptr, nullptr);
     if (code != CL_SUCCESS)
-        return failure("The kernels in " + name + " do not compile on " + info.name + " (" +
+        return failure("The kernels in " + file + " do not compile on " + info.name + " (" +
                        clErrorText(code) + "):\n" +
                        (program ? buildLog(program.get(), device) : std::string()));
     if (!folder.empty())

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace prizma {
 
@@ -18,8 +19,8 @@ std::filesystem::path programCacheFolder();
 /// Errors hold the compiler's log.
 Result<ClProgram> buildProgram(Context& context, const std::string& file, const std::string& options);
 
-/// The same for a text without #include directives (expandedKernelText); `name` is for messages.
-Result<ClProgram> buildProgramFrom(Context& context, const std::string& source, const std::string& name,
-                                   const std::string& options);
+/// The same for kernels from elsewhere: `content` is built as if it were kernels/`file`.
+Result<ClProgram> buildProgram(Context& context, const std::string& file, std::string_view content,
+                               const std::string& options);
 
 } // namespace prizma

@@ -419,7 +419,7 @@ void BsdfTest::oddInputGivesNumbers() {
         q.ior = oneOf({1, 1.0001f, 1.0099f, 1.0101f, 1.5f, 4});
         q.entering = random() % 2;
         const double height = oneOf({1, 0.5f, 1e-3f, 1e-6f, 1e-20f, 0});
-        setEye(q, glm::degrees(std::acos(height)), random() * 1e-6);
+        setEye(q, glm::degrees(std::acos(height)), static_cast<double>(random() % 1000));
         q.toEye[2] = static_cast<float>(height);
         if (random() % 3 == 0) { // a normal that the geometry does not have
             const glm::dvec3 n = glm::normalize(glm::dvec3(0, 0, 1) + 0.7 * randomDirection(random));
@@ -449,7 +449,7 @@ void BsdfTest::bentNormalsLeakNothing() {
         const glm::dvec3 n = glm::normalize(glm::dvec3(0, 0, 1) + 0.6 * randomDirection(random));
         for (int c = 0; c < 3; ++c)
             q.geometricNormal[c] = static_cast<float>(n[c]);
-        setEye(q, 85.0 * static_cast<double>(random() % 100) / 100, random() * 1e-6);
+        setEye(q, 85.0 * static_cast<double>(random() % 100) / 100, static_cast<double>(random() % 1000));
         if (glm::dot(n, vectorOf(q.toEye)) < 0.01)
             continue;
         std::vector<double> weights;

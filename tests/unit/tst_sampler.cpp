@@ -113,14 +113,17 @@ void SamplerTest::initTestCase() {
 
 void SamplerTest::powersOfTwoAreNets() {
     // Every box of area 2^-m with sides that are powers of two holds exactly one of 2^m points in a row.
-    std::mt19937 random(1);
+    std::mt19937 engine(1);
+    const auto random = [&engine](std::uint32_t below) {
+        return static_cast<std::uint32_t>(engine() % below);
+    };
     for (int round = 0; round < 40; ++round) {
-        const std::uint32_t pixel = random() % 100'000;
-        const std::uint32_t dimension = random() % 50;
-        const std::uint32_t seed = random() % 10;
+        const std::uint32_t pixel = random(100'000);
+        const std::uint32_t dimension = random(50);
+        const std::uint32_t seed = random(10);
         for (int m = 0; m <= 10; ++m) {
             const std::uint32_t count = 1u << m;
-            const std::uint32_t first = (random() % 1000) * count;
+            const std::uint32_t first = random(1000) * count;
             const std::vector<Point> points = squares(pixel, dimension, seed, first, count);
             for (int wide = 0; wide <= m; ++wide) {
                 std::vector<int> boxes(count, 0);

@@ -124,7 +124,8 @@ typedef struct {
     DeviceUint doubleSided;
 } DeviceMaterial;
 
-// A picture inside the texel buffer: 8-bit sRGB RGBA (one uint a texel) or four linear floats a texel.
+// A picture inside the texel buffer: 8-bit sRGB RGBA (one uint a texel) or four linear floats a texel. Its mip levels
+// follow it in the table.
 typedef struct {
     DeviceUint offset; // in 4-byte words
     DeviceInt width;

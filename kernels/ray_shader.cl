@@ -44,6 +44,7 @@ kernel void rayShader(SCENE_PARAMETERS, DeviceView view, DeviceShading shading, 
 #endif
     Frame frame = {shading, view.seed, view.sample, index, 0, 0};
     Ray ray = loadRay(rays + index);
+    giveCameraCone(&ray, &view);
     DeviceHit hit = hits[index];
     float3 radiance = shade(&scene, &frame, ray, hit);
     float alpha = hit.instance == PRIZMA_NO_HIT ? 0.0f : 1.0f;

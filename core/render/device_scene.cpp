@@ -76,7 +76,7 @@ void DeviceScene::setSceneArguments(Kernel& kernel) const {
                         geometry_.leaves(), geometry_.positions(), geometry_.normals(), geometry_.texCoords(),
                         geometry_.triangles(), instances_.slots(), materials_.materials(),
                         materials_.textures(), materials_.texels(), materials_.lights(),
-                        materials_.lightCount());
+                        materials_.lightCount(), materials_.hasHoles() ? 1u : 0u);
 }
 
 Result<std::vector<glm::vec3>> DeviceScene::posedPositions(Id object) const {

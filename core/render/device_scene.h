@@ -37,7 +37,7 @@ class DeviceScene {
     /// Makes every buffer exist, so that kernels can be launched even for an empty scene.
     Result<void> ensure();
 
-    /// Sets the kernel's first fifteen arguments: SCENE_PARAMETERS of kernels/scene.clh.
+    /// Sets the kernel's first arguments: SCENE_PARAMETERS of kernels/scene.clh.
     void setSceneArguments(Kernel& kernel) const;
 
     /// A posed object's vertices as VertexShader left them, in object space. Waits for the device. Errors:

@@ -20,10 +20,12 @@
 
 namespace {
 
-constexpr int cosines = 32;
-constexpr int glassCosines = 16;
-constexpr int roughnesses = 16;
-constexpr int indices = 8;
+constexpr int cosines = 24;
+constexpr int roughnesses = 17;
+constexpr double leastRoughness = 0.08; // SMOOTH_ROUGHNESS of bsdf.clh
+constexpr double roughnessPower = 1.4;
+constexpr int indices = 14;
+constexpr double indexPower = 2.5;
 constexpr double largestIor = 4.0;
 constexpr int steps = 80; // of the integral, along each of its two axes
 
@@ -105,23 +107,31 @@ double meanOf(const std::vector<double>& nodes) {
     return sum;
 }
 
+double roughnessAt(int node) {
+    if (node == 0)
+        return 0;
+    return std::lerp(leastRoughness, 1.0, std::pow((node - 1.0) / (roughnesses - 2), roughnessPower));
+}
+
+/// 16 bits a value keep the tables small enough for any device's constant memory.
 void print(const char* name, const std::vector<double>& values) {
-    std::printf("constant float %s[%zu] = {", name, values.size());
+    std::printf("constant ushort %s[%zu] = {", name, values.size());
     for (std::size_t i = 0; i < values.size(); ++i)
-        std::printf("%s%.7ff", i == 0 ? "" : (i % 12 == 0 ? ",\n" : ","), values[i]);
+        std::printf("%s%d", i == 0 ? "" : (i % 16 == 0 ? ",\n" : ","),
+                    static_cast<int>(std::lround(values[i] * 65535)));
     std::printf("};\n");
 }
 
-/// One table: `cosineCount` values in a row for each roughness, these for each index.
-void printTable(const char* name, Kind kind, int cosineCount, const std::vector<double>& etas) {
+/// One table: a row of cosines for each roughness, these for each index.
+void printTable(const char* name, Kind kind, const std::vector<double>& etas) {
     std::vector<double> values;
     std::vector<double> means;
     for (const double eta : etas)
         for (int r = 0; r < roughnesses; ++r) {
             std::vector<double> row;
-            for (int c = 0; c < cosineCount; ++c) {
-                const double t = static_cast<double>(c) / (cosineCount - 1);
-                row.push_back(albedo(kind, t * t, static_cast<double>(r) / (roughnesses - 1), eta));
+            for (int c = 0; c < cosines; ++c) {
+                const double t = static_cast<double>(c) / (cosines - 1);
+                row.push_back(albedo(kind, t * t, roughnessAt(r), eta));
             }
             values.insert(values.end(), row.begin(), row.end());
             means.push_back(meanOf(row));
@@ -137,18 +147,19 @@ int main() {
     std::vector<double> out;
     const double farthest = (largestIor - 1) / (largestIor + 1);
     for (int i = 0; i < indices; ++i) {
-        const double root = farthest * i / (indices - 1);
+        const double root = farthest * std::pow(static_cast<double>(i) / (indices - 1), indexPower);
         in.push_back((1 + root) / (1 - root));
         out.push_back(1 / in.back());
     }
     std::printf(
         "// Made by kernels/tables/make_bsdf_tables.cpp; see there.\n#ifndef PRIZMA_BSDF_TABLES\n"
-        "#define PRIZMA_BSDF_TABLES\n#define ALBEDO_COSINES %d\n#define GLASS_COSINES %d\n"
-        "#define ALBEDO_ROUGHNESSES %d\n#define ALBEDO_INDICES %d\n#define ALBEDO_FARTHEST_INDEX %.9ff\n",
-        cosines, glassCosines, roughnesses, indices, farthest);
-    printTable("specularAlbedo", Kind::Specular, cosines, in);
-    printTable("glassAlbedoIn", Kind::Glass, glassCosines, in);
-    printTable("glassAlbedoOut", Kind::Glass, glassCosines, out);
-    printTable("metalAlbedo", Kind::Metal, cosines, {1.0});
+        "#define PRIZMA_BSDF_TABLES\n#define ALBEDO_COSINES %d\n#define ALBEDO_ROUGHNESSES %d\n"
+        "#define ALBEDO_LEAST_ROUGHNESS %.9ff\n#define ALBEDO_ROUGHNESS_POWER %.9ff\n"
+        "#define ALBEDO_INDICES %d\n#define ALBEDO_FARTHEST_INDEX %.9ff\n#define ALBEDO_INDEX_POWER %.9ff\n",
+        cosines, roughnesses, leastRoughness, roughnessPower, indices, farthest, indexPower);
+    printTable("specularAlbedo", Kind::Specular, in);
+    printTable("glassAlbedoIn", Kind::Glass, in);
+    printTable("glassAlbedoOut", Kind::Glass, out);
+    printTable("metalAlbedo", Kind::Metal, {1.0});
     std::printf("#endif\n");
 }

@@ -90,9 +90,10 @@ kernel void evaluateAll(const global Question* questions, const global float* di
     values[i] = (float4)(evaluateBsdf(&s, toEye, toLight), bsdfPdf(&s, toEye, toLight));
 }
 
-// Integral of the density over each of `rings` x `sectors` cells of the sphere about z (even in angle), by `fine` x `fine`
+// Integral of the density over each of `rings` x `sectors` cells of the sphere about z (even in angle), by `high` x `wide`
 // points a cell.
-kernel void integrateCells(const global Question* question, uint rings, uint sectors, uint fine, global float* integrals) {
+kernel void integrateCells(const global Question* question, uint rings, uint sectors, uint high, uint wide,
+                           global float* integrals) {
     uint i = get_global_id(0);
     if (i >= rings * sectors)
         return;
@@ -101,18 +102,18 @@ kernel void integrateCells(const global Question* question, uint rings, uint sec
     float ring = PI_F / (float)rings;
     float sector = 2.0f * PI_F / (float)sectors;
     float sum = 0.0f;
-    for (uint a = 0; a < fine; ++a) {
-        float theta = ((float)(i / sectors) + ((float)a + 0.5f) / (float)fine) * ring;
+    for (uint a = 0; a < high; ++a) {
+        float theta = ((float)(i / sectors) + ((float)a + 0.5f) / (float)high) * ring;
         float rowSum = 0.0f;
-        for (uint b = 0; b < fine; ++b) {
-            float phi = ((float)(i % sectors) + ((float)b + 0.5f) / (float)fine) * sector;
+        for (uint b = 0; b < wide; ++b) {
+            float phi = ((float)(i % sectors) + ((float)b + 0.5f) / (float)wide) * sector;
             float pdf;
             bsdfValue(&bsdf, (float3)(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta)), &pdf);
             rowSum += pdf;
         }
         sum += rowSum * sin(theta);
     }
-    integrals[i] = sum * ring * sector / (float)(fine * fine);
+    integrals[i] = sum * ring * sector / (float)(high * wide);
 }
 
 kernel void albedos(const global float4* places, uint count, global float4* out) { // cosine, roughness, index
@@ -120,7 +121,7 @@ kernel void albedos(const global float4* places, uint count, global float4* out)
     if (i >= count)
         return;
     AlbedoPlace place = albedoPlace(places[i].y, places[i].z);
-    out[i] = (float4)(albedoAt(specularAlbedo, ALBEDO_COSINES, &place, places[i].x),
-                      albedoAt(glassAlbedoIn, GLASS_COSINES, &place, places[i].x),
-                      albedoAt(glassAlbedoOut, GLASS_COSINES, &place, places[i].x), metalAlbedoAt(&place, places[i].x));
+    out[i] = (float4)(albedoAt(specularAlbedo, &place, places[i].x),
+                      albedoAt(glassAlbedoIn, &place, places[i].x),
+                      albedoAt(glassAlbedoOut, &place, places[i].x), metalAlbedoAt(&place, places[i].x));
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -70,31 +72,25 @@ inline Mean meanOf(std::span<const double> values) {
     return mean;
 }
 
-/// P-value of observed counts against expected ones, cells pooled until each expects 5 at least.
+/// P-value of observed counts against expected ones. Cells are pooled, the emptiest first, until each expects
+/// 5 at least.
 inline double chiSquaredTest(std::span<const double> observed, std::span<const double> expected) {
+    std::vector<std::size_t> order(expected.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t i) { return expected[i]; });
     double statistic = 0;
     int cells = 0;
     double pooledObserved = 0;
     double pooledExpected = 0;
-    const auto take = [&](double o, double e) {
-        statistic += (o - e) * (o - e) / e;
-        ++cells;
-    };
-    for (std::size_t i = 0; i < observed.size(); ++i) {
-        if (expected[i] >= 5) {
-            take(observed[i], expected[i]);
-            continue;
-        }
+    for (const std::size_t i : order) {
         pooledObserved += observed[i];
         pooledExpected += expected[i];
-        if (pooledExpected >= 5) {
-            take(pooledObserved, pooledExpected);
-            pooledObserved = pooledExpected = 0;
-        }
+        if (pooledExpected < 5)
+            continue;
+        statistic += (pooledObserved - pooledExpected) * (pooledObserved - pooledExpected) / pooledExpected;
+        ++cells;
+        pooledObserved = pooledExpected = 0;
     }
-    if (pooledExpected > 0 ||
-        pooledObserved > 0) // too few left: any count much above what is expected still shows
-        take(pooledObserved, std::max(pooledExpected, 1e-3));
     return cells > 1 ? chiSquaredTail(statistic, cells - 1) : 1;
 }
 

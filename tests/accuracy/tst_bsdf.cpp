@@ -95,6 +95,7 @@ std::vector<NamedMaterial> materials() {
 }
 
 constexpr std::array roughnesses{0.0f, 0.1f, 0.25f, 0.5f, 0.8f, 1.0f};
+constexpr std::array lobeRoughnesses{0.0f, 0.15f, 0.3f, 0.5f, 0.8f, 1.0f}; // sharper ones no grid resolves
 constexpr std::array anglesInDegrees{0.0, 30.0, 60.0, 80.0, 85.0};
 
 void setEye(Question& q, double degrees, double turn = 0.4) {
@@ -186,10 +187,10 @@ void BsdfTest::samplesFollowTheirDensity() {
     constexpr std::uint32_t rings = 80;
     constexpr std::uint32_t sectors = 160;
     constexpr std::uint32_t count = 200'000;
-    const double level =
-        sidak(0.01, static_cast<double>(materials().size() * roughnesses.size() * anglesInDegrees.size()));
+    const double level = sidak(
+        0.01, static_cast<double>(materials().size() * lobeRoughnesses.size() * anglesInDegrees.size()));
     double lowest = 1;
-    for (const float roughness : roughnesses)
+    for (const float roughness : lobeRoughnesses)
         for (const double degrees : anglesInDegrees) {
             Question q = materials()[material].material;
             q.roughness = roughness;
@@ -197,10 +198,11 @@ void BsdfTest::samplesFollowTheirDensity() {
             ProbeBuffer<Question> asked(*context_, 1);
             asked.values = {q};
             ProbeBuffer<float> integrals(*context_, rings * sectors);
-            // A lobe is about alpha high and, where it grazes, alpha times the cosine wide.
-            const double alpha = std::max(roughness * roughness, 0.01f);
-            const auto high = static_cast<std::uint32_t>(std::clamp(0.2 / alpha, 5.0, 20.0));
-            const auto wide = static_cast<std::uint32_t>(std::clamp(0.08 / (alpha * q.toEye[2]), 5.0, 100.0));
+            // A lobe is about alpha high and, where it grazes, alpha times the cosine wide; refraction
+            // narrows it.
+            const double alpha = std::max(roughness * roughness, 0.01f) * (q.transmission > 0 ? 0.35 : 1.0);
+            const auto high = static_cast<std::uint32_t>(std::clamp(0.1 / alpha, 5.0, 15.0));
+            const auto wide = static_cast<std::uint32_t>(std::clamp(0.04 / (alpha * q.toEye[2]), 5.0, 50.0));
             probe_->run("integrateCells", rings * sectors, asked.upload(), rings, sectors, high, wide,
                         integrals.buffer());
             std::vector<double> expected;
@@ -209,7 +211,11 @@ void BsdfTest::samplesFollowTheirDensity() {
                 expected.push_back(count * static_cast<double>(integral));
                 sum += integral;
             }
-            QVERIFY2(sum < 1.0005, qPrintable(QString("the density integrates to %1").arg(sum)));
+            QVERIFY2(sum < 1.0005,
+                     qPrintable(QString("roughness %1, %2 degrees: the density integrates to %3")
+                                    .arg(roughness)
+                                    .arg(degrees)
+                                    .arg(sum)));
             std::vector<double> observed(expected.size() + 1, 0.0);
             for (const Sample& s : sample({q}, count, static_cast<std::uint32_t>(degrees) + 17)) {
                 if (s.isDelta || s.pdf == 0) { // mirrors, and samples that end
@@ -234,7 +240,7 @@ void BsdfTest::samplesFollowTheirDensity() {
                                                .arg(sum)));
         }
     qInfo("%s: lowest p of %zu tests %.4f, limit %.1e", materials()[material].name,
-          roughnesses.size() * anglesInDegrees.size(), lowest, level);
+          lobeRoughnesses.size() * anglesInDegrees.size(), lowest, level);
 }
 
 void BsdfTest::weightsAreValueOverDensity() {
@@ -248,8 +254,12 @@ void BsdfTest::weightsAreValueOverDensity() {
                 for (const Sample& s : sample({q}, 500, 3)) {
                     if (s.isDelta)
                         continue;
+                    if (s.pdf == 0) { // lost: it came out on the wrong side
+                        QVERIFY(s.weight[0] == 0 && s.weight[1] == 0 && s.weight[2] == 0);
+                        continue;
+                    }
                     QVERIFY(std::abs(s.pdf - s.valuePdf) <= 1e-5 * s.pdf);
-                    for (int c = 0; c < 3 && s.pdf > 0; ++c) {
+                    for (int c = 0; c < 3; ++c) {
                         const double ratio = static_cast<double>(s.value[c]) / s.pdf;
                         worst = std::max(worst, std::abs(ratio - s.weight[c]) / std::max(ratio, 1e-3));
                     }

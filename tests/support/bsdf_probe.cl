@@ -90,8 +90,13 @@ kernel void evaluateAll(const global Question* questions, const global float* di
     values[i] = (float4)(evaluateBsdf(&s, toEye, toLight), bsdfPdf(&s, toEye, toLight));
 }
 
-// Integral of the density over each of `rings` x `sectors` cells of the sphere about z (even in angle), by `high` x `wide`
-// points a cell.
+// Place k of the two-point Gauss rule in each of the parts of a unit.
+inline float gaussNode(uint k, uint parts) {
+    return ((float)(k / 2) + ((k & 1) != 0 ? 0.788675135f : 0.211324865f)) / (float)parts;
+}
+
+// Integral of the density over each of `rings` x `sectors` cells of the sphere about z (even in angle), by the Gauss
+// rule in `high` x `wide` parts of each.
 kernel void integrateCells(const global Question* question, uint rings, uint sectors, uint high, uint wide,
                            global float* integrals) {
     uint i = get_global_id(0);
@@ -102,18 +107,18 @@ kernel void integrateCells(const global Question* question, uint rings, uint sec
     float ring = PI_F / (float)rings;
     float sector = 2.0f * PI_F / (float)sectors;
     float sum = 0.0f;
-    for (uint a = 0; a < high; ++a) {
-        float theta = ((float)(i / sectors) + ((float)a + 0.5f) / (float)high) * ring;
+    for (uint a = 0; a < 2 * high; ++a) {
+        float theta = ((float)(i / sectors) + gaussNode(a, high)) * ring;
         float rowSum = 0.0f;
-        for (uint b = 0; b < wide; ++b) {
-            float phi = ((float)(i % sectors) + ((float)b + 0.5f) / (float)wide) * sector;
+        for (uint b = 0; b < 2 * wide; ++b) {
+            float phi = ((float)(i % sectors) + gaussNode(b, wide)) * sector;
             float pdf;
             bsdfValue(&bsdf, (float3)(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta)), &pdf);
             rowSum += pdf;
         }
         sum += rowSum * sin(theta);
     }
-    integrals[i] = sum * ring * sector / (float)(high * wide);
+    integrals[i] = sum * ring * sector / (float)(4 * high * wide);
 }
 
 kernel void albedos(const global float4* places, uint count, global float4* out) { // cosine, roughness, index

@@ -64,7 +64,8 @@ void StatisticsOverlay::addSummary(const Frame& frame, double framesPerSecond) {
     const RenderStatistics& statistics = frame.statistics;
     summary_ = {
         {tr("Frames a second"), {}, locale.toString(framesPerSecond, 'f', 0)},
-        {tr("Samples"), {}, QStringLiteral("%1 / %2").arg(frame.samples).arg(frame.sampleLimit)},
+        {tr("Samples"), frame.isDenoised ? tr("denoised preview") : QString(),
+         QStringLiteral("%1 / %2").arg(frame.samples).arg(frame.sampleLimit)},
         {tr("Resolution"), {}, QStringLiteral("%1 × %2").arg(frame.width).arg(frame.height)},
         {tr("Rays"), {}, raysPerSecond(statistics)},
         {tr("Triangles"), {}, locale.toString(static_cast<qulonglong>(statistics.triangles))},

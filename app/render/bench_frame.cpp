@@ -75,6 +75,9 @@ void addFrameBench(CLI::App& bench) {
         ->add_option("--height", arguments->frame.height,
                      "Of the picture; without: 1280 x 720 or, on graphics cards, 1920 x 1080")
         ->check(CLI::Range(1, 16384));
+    command->add_option(
+        "--export", arguments->frame.exportTo,
+        "Write the scene as OBJ, and its camera and light as JSON beside it, for other renderers");
     command->callback([arguments] {
         arguments->frame.repeats = arguments->repeats;
         const auto report = bench::benchFrame(sceneOf(*arguments), arguments->frame);

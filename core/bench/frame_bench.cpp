@@ -1,6 +1,7 @@
 #include "core/bench/frame_bench.h"
 
 #include "core/animation/posed_bounds.h"
+#include "core/bench/scene_export.h"
 #include "core/bench/statistics_of.h"
 #include "core/render/ray_query.h"
 #include "core/render/renderer.h"
@@ -200,6 +201,9 @@ Result<FrameReport> benchFrame(Scene scene, const FrameBenchOptions& given) {
         options.height = std::max(options.width * 9 / 16, 1);
     lightByOnePoint(scene);
     scene.render.maxDepth = pathBounces;
+    if (!options.exportTo.empty())
+        if (auto ok = exportScene(scene, options.exportTo); !ok)
+            return std::unexpected(ok.error());
     (*renderer)->waitForTrees(scene);
     FrameBench bench(**renderer, std::move(scene), options);
     FrameReport report;

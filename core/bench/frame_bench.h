@@ -14,7 +14,8 @@ struct FrameBenchOptions {
     std::string deviceId; ///< Empty: the default device.
     int width = 0;        ///< Of the picture; 0: 1280 x 720, on graphics cards 1920 x 1080.
     int height = 0;
-    int repeats = 5; ///< Times are medians of this many; frames and rays take turns.
+    std::string exportTo; ///< Where other renderers find the scene (scene_export.h); empty: nowhere.
+    int repeats = 5;      ///< Times are medians of this many; frames and rays take turns.
 };
 
 /// The rays of one kind that a frame traces, by themselves.

@@ -28,6 +28,7 @@ struct RenderArguments {
     std::string frames;
     std::vector<std::string> assignments;
     std::string video;
+    int depth = 8;
     bool overwrite = false, statistics = false, json = false;
 };
 
@@ -157,10 +158,13 @@ void renderFrames(Renderer& renderer, const Scene& scene, const RenderArguments&
         makeVideo(options, arguments, fps);
 }
 
-void run(const RenderArguments& arguments) {
+void run(RenderArguments& arguments) {
     const std::string extension = lowerExtension(arguments.output);
     if (extension != "png" && extension != "exr")
         fail({Severity::Error, "the output must end in .png or .exr", arguments.output, 0});
+    if (arguments.depth == 16 && extension == "exr")
+        fail({Severity::Error, "--depth is for PNG: an EXR file has 32 bits a channel", arguments.output, 0});
+    arguments.options.deep = arguments.depth == 16;
     auto scene = prepareScene(arguments);
     if (!scene)
         fail(scene.error());
@@ -187,7 +191,13 @@ void addRenderCommand(CLI::App& app) {
         ->add_option("files", a->files,
                      "A .prizma project, or a model; animations may follow that belong to it")
         ->required();
-    command->add_option("-o,--output", a->output, "Picture to write: .png or .exr")->required();
+    command
+        ->add_option("-o,--output", a->output,
+                     "Picture to write: .png (exposure and view transform applied, sRGB) or .exr (linear)")
+        ->required();
+    command->add_option("--depth", a->depth, "Bits a channel of a PNG file: 8 or 16")
+        ->check(CLI::IsMember({8, 16}))
+        ->capture_default_str();
     command->add_option("--width", a->options.width, "Pixels across")
         ->check(CLI::Range(1, 32768))
         ->capture_default_str();

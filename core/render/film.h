@@ -17,11 +17,8 @@ struct Film {
     std::uint32_t pixelCount = 0; ///< Rounded up to whole tiles.
     Buffer<DeviceRay> rays;       ///< These two only once asked for.
     Buffer<DeviceHit> hits;
-    Buffer<float> sums, losses;     ///< Four floats a pixel.
-    Buffer<DeviceWork> work;        ///< One a packet of sixteen pixels, or a work group.
-    Buffer<std::uint32_t> display;  ///< Row by row.
-    Buffer<std::uint32_t> encoding; ///< How linear values become sRGB bytes (kernels/display.cl).
-    Buffer<float> mean;             ///< Row by row, four floats a pixel; only once asked for.
+    Buffer<float> sums, losses; ///< Four floats a pixel.
+    Buffer<DeviceWork> work;    ///< One a packet of sixteen pixels, or a work group.
 
     Result<void> resize(Context& context, int newWidth, int newHeight);
 

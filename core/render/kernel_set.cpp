@@ -60,7 +60,10 @@ Result<KernelSet> KernelSet::create(Context& context, TreeLayout layout, std::fu
           {&set.tracePacket, "tracePacket"},
           {&set.traceAnyPacket, "traceAnyPacket"}},
          tracingOptions(context.info()));
-    load("display.cl", {{&set.toneMap, "toneMap"}, {&set.meanRadiance, "meanRadiance"}});
+    load("display.cl", {{&set.toneMap, "toneMap"},
+                        {&set.toneMapFilmic, "toneMapFilmic"},
+                        {&set.toneMapDeep, "toneMapDeep"},
+                        {&set.meanRadiance, "meanRadiance"}});
     if (!ok)
         return std::unexpected(ok.error());
     return set;

@@ -28,7 +28,7 @@ class KernelSet {
 
     Kernel vertexShader, triangleShader, refitTreeShader, refitSmallLevels, gatherRoots;
     Kernel generateCameraRays, traceClosest, traceAny, tracePacket, traceAnyPacket;
-    Kernel toneMap, meanRadiance;
+    Kernel toneMap, toneMapFilmic, toneMapDeep, meanRadiance;
 
     /// The RayShader kernel for `type`, built on first use.
     /// `recording`: it takes three more arguments and writes down the rays that it traces (record_rays.clh).

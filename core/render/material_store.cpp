@@ -2,8 +2,6 @@
 
 #include "core/scene/srgb.h"
 
-#include <glm/gtc/quaternion.hpp>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -66,11 +64,6 @@ glm::dvec3 meanOverSphere(const Image& image) {
     return weights > 0.0 ? sum / weights : sum;
 }
 
-glm::dvec3 unitOrDown(const glm::dvec3& v) {
-    const double length = glm::length(v);
-    return std::isfinite(length) && length > 0.0 ? v / length : glm::dvec3(0.0, -1.0, 0.0);
-}
-
 /// Beer-Lambert coefficients, per scene unit.
 glm::dvec3 absorptionOf(const Material& material) {
     constexpr double blackest = 1e-6;
@@ -89,46 +82,6 @@ bool hasHoles(const Material& material) {
     const double solid = material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 1.0;
     const ImagePtr& image = material.baseColorTexture.image;
     return material.alpha < solid || (image && !image->opaque);
-}
-
-double strengthOf(const Light& light) {
-    switch (light.type) {
-    case LightType::Point:
-    case LightType::Spot:
-        return light.intensity;
-    case LightType::Directional:
-        return light.irradiance;
-    case LightType::Rectangle:
-    case LightType::Sphere:
-        return light.radiance;
-    }
-    return 0.0;
-}
-
-bool shines(const Light& light) {
-    const glm::dvec3 strength = light.color * strengthOf(light);
-    return light.enabled && (strength.x > 0.0 || strength.y > 0.0 || strength.z > 0.0);
-}
-
-DeviceLight deviceLight(const Light& light, const glm::dvec3& anchor) {
-    DeviceLight out{};
-    out.type = static_cast<std::uint32_t>(light.type);
-    store(out.position, light.position - anchor);
-    store(out.strength, light.color * strengthOf(light));
-    glm::dvec3 direction = unitOrDown(light.direction);
-    if (light.type == LightType::Rectangle) {
-        const glm::dquat rotation = glm::normalize(light.rotation);
-        direction = rotation * glm::dvec3(0.0, -1.0, 0.0);
-        store(out.halfU, rotation * glm::dvec3(light.size.x * 0.5, 0.0, 0.0));
-        store(out.halfV, rotation * glm::dvec3(0.0, 0.0, light.size.y * 0.5));
-    }
-    store(out.direction, direction);
-    const double outer = std::max(light.outerAngle, light.innerAngle);
-    out.cosInner = static_cast<float>(std::cos(glm::radians(light.innerAngle)));
-    out.cosOuter = static_cast<float>(std::cos(glm::radians(outer)));
-    out.radius = static_cast<float>(light.radius);
-    out.visible = light.visible ? 1 : 0;
-    return out;
 }
 
 } // namespace
@@ -237,15 +190,6 @@ Result<void> MaterialStore::updateMaterials(Context& context, const Scene& scene
     for (const Material& material : scene.materials)
         append(material);
     return materials_.assign(context, table, "materials");
-}
-
-Result<void> MaterialStore::updateLights(Context& context, const Scene& scene, const glm::dvec3& anchor) {
-    std::vector<DeviceLight> table;
-    for (const Light& light : scene.lights)
-        if (shines(light))
-            table.push_back(deviceLight(light, anchor));
-    lightCount_ = static_cast<std::uint32_t>(table.size());
-    return lights_.assign(context, table, "lights");
 }
 
 std::uint32_t MaterialStore::indexOf(Id material) const {

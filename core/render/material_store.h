@@ -10,7 +10,7 @@
 
 namespace prizma {
 
-/// Materials, textures and lights on the device.
+/// Materials and textures on the device.
 class MaterialStore {
   public:
     /// Brings the pictures that materials and background use onto the device, each once, and drops the
@@ -19,9 +19,6 @@ class MaterialStore {
 
     /// The material table; textures are up to date.
     Result<void> updateMaterials(Context& context, const Scene& scene);
-
-    /// The lights that are on, relative to `anchor`.
-    Result<void> updateLights(Context& context, const Scene& scene, const glm::dvec3& anchor);
 
     /// Place of a material in the table; 0, a neutral grey, for an id that is not there.
     std::uint32_t indexOf(Id material) const;
@@ -37,8 +34,6 @@ class MaterialStore {
     const Buffer<DeviceMaterial>& materials() const { return materials_; }
     const Buffer<DeviceTexture>& textures() const { return textures_; }
     const Buffer<std::uint32_t>& texels() const { return texels_.buffer(); }
-    const Buffer<DeviceLight>& lights() const { return lights_; }
-    std::uint32_t lightCount() const { return lightCount_; }
 
     /// Whether light may get past a surface of some material: through its alpha or from behind.
     bool hasHoles() const { return hasHoles_; }
@@ -59,8 +54,6 @@ class MaterialStore {
     Buffer<DeviceMaterial> materials_;
     Buffer<DeviceTexture> textures_;
     Arena<std::uint32_t> texels_{"textures"};
-    Buffer<DeviceLight> lights_;
-    std::uint32_t lightCount_ = 0;
     bool hasHoles_ = false;
     std::unordered_map<Id, std::uint32_t> indexOfMaterial_;
     std::map<PictureKey, Picture> pictures_;

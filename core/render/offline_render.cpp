@@ -110,15 +110,12 @@ Result<OfflinePicture> renderOffline(Renderer& renderer, const Scene& scene, con
         if (options.timeLimit > 0.0 && since(start) > options.timeLimit * 1000.0)
             break;
     }
-    auto display = renderer.display();
-    auto radiance = renderer.mean();
-    if (!display || !radiance)
-        return std::unexpected(display ? radiance.error() : display.error());
-    picture.width = renderer.width();
-    picture.height = renderer.height();
-    picture.samples = renderer.samples();
-    picture.display = std::move(*display);
-    picture.radiance = std::move(*radiance);
+    auto rendered = options.deep
+                        ? renderer.picture({PictureFormat::Png8, PictureFormat::Png16, PictureFormat::Exr})
+                        : renderer.picture({PictureFormat::Png8, PictureFormat::Exr});
+    if (!rendered)
+        return std::unexpected(rendered.error());
+    static_cast<Picture&>(picture) = std::move(*rendered);
     picture.nonFinitePixels += countNonFinite(picture.radiance);
     picture.times.total = since(start);
     return picture;

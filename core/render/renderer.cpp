@@ -124,8 +124,10 @@ Result<void> Renderer::begin(const RenderPlan& plan, const Scene& scene, int wid
     state_.anchor = plan.anchor;
     state_.width = width;
     state_.height = height;
-    if (plan.restarts)
+    if (plan.restarts) {
         state_.samples = 0;
+        hasGuides_ = false;
+    }
     inPass_ = plan.find(Stage::RayShader) != nullptr;
     if (!inPass_)
         return {};
@@ -273,36 +275,72 @@ void Renderer::drop() {
     inPass_ = false;
 }
 
+RenderSettings Renderer::settings() const {
+    return state_.scene ? state_.scene->render : RenderSettings{};
+}
+
 Result<std::vector<std::uint8_t>> Renderer::display() {
-    const auto pixels = static_cast<std::size_t>(film_.width) * static_cast<std::size_t>(film_.height);
-    const double exposure = state_.scene ? state_.scene->render.exposure : 0.0;
-    const auto scale = static_cast<float>(std::exp2(exposure) / std::max(state_.samples, 1));
-    kernels_->toneMap.setArguments(film_.sums, film_.display, film_.width, film_.height, scale,
-                                   film_.encoding);
-    const auto launched = kernels_->toneMap.launch(*context_, pixels, kernels_->groupSize);
-    if (!launched)
-        return std::unexpected(launched.error());
-    std::vector<std::uint32_t> words(pixels);
-    if (auto ok = film_.display.read(*context_, words, 0, "picture"); !ok)
-        return std::unexpected(ok.error());
-    record(Stage::Display, milliseconds(*launched));
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
-    return std::vector<std::uint8_t>(bytes, bytes + 4 * pixels);
+    auto pixels = display_.bytes(*context_, *kernels_, summed(), settings());
+    if (pixels)
+        record(Stage::Display, display_.milliseconds());
+    return pixels;
+}
+
+Result<SummedPicture> Renderer::denoised() {
+    if (!denoiser_) {
+        auto made = PreviewDenoiser::create(*context_, layout(), kernels_->groupSize);
+        if (!made)
+            return std::unexpected(made.error());
+        denoiser_ = std::move(*made);
+        hasGuides_ = false;
+    }
+    if (!hasGuides_)
+        if (auto ok = denoiser_->takeGuides(*context_, *kernels_, *deviceScene_, view_); !ok)
+            return std::unexpected(ok.error());
+    hasGuides_ = true;
+    return denoiser_->denoise(*context_, summed());
+}
+
+Result<Preview> Renderer::preview() {
+    const bool isWanted = hasPicture() && isDenoised(settings());
+    if (!isWanted)
+        denoiser_.reset();
+    const auto shown = isWanted ? denoised() : summed();
+    if (!shown)
+        return std::unexpected(shown.error());
+    auto pixels = display_.bytes(*context_, *kernels_, *shown, settings());
+    if (!pixels)
+        return std::unexpected(pixels.error());
+    const double denoising = isWanted ? denoiser_->milliseconds() : 0.0;
+    record(Stage::Display, display_.milliseconds() + denoising);
+    return Preview{std::move(*pixels), isWanted, denoising};
+}
+
+Result<Picture> Renderer::picture(std::initializer_list<PictureFormat> formats) {
+    Picture picture;
+    picture.width = film_.width;
+    picture.height = film_.height;
+    picture.samples = state_.samples;
+    const auto take = [](auto made, auto& target) -> Result<void> {
+        if (!made)
+            return std::unexpected(made.error());
+        target = std::move(*made);
+        return {};
+    };
+    for (const PictureFormat format : formats) {
+        const auto taken =
+            format == PictureFormat::Png8 ? take(display(), picture.display)
+            : format == PictureFormat::Png16
+                ? take(display_.words(*context_, *kernels_, summed(), settings()), picture.deep)
+                : take(mean(), picture.radiance);
+        if (!taken)
+            return std::unexpected(taken.error());
+    }
+    return picture;
 }
 
 Result<std::vector<float>> Renderer::mean() {
-    const auto pixels = static_cast<std::size_t>(film_.width) * static_cast<std::size_t>(film_.height);
-    if (auto ok = film_.mean.reserve(*context_, 4 * pixels, "picture"); !ok)
-        return std::unexpected(ok.error());
-    const auto scale = static_cast<float>(1.0 / std::max(state_.samples, 1));
-    kernels_->meanRadiance.setArguments(film_.sums, film_.mean, film_.width, film_.height, scale);
-    const auto launched = kernels_->meanRadiance.launch(*context_, pixels, kernels_->groupSize);
-    if (!launched)
-        return std::unexpected(launched.error());
-    std::vector<float> values(4 * pixels);
-    if (auto ok = film_.mean.read(*context_, values, 0, "picture"); !ok)
-        return std::unexpected(ok.error());
-    return values;
+    return display_.mean(*context_, *kernels_, summed());
 }
 
 RenderStatistics Renderer::statistics(bool readWork) {

@@ -3,12 +3,16 @@
 #include "core/compute/context.h"
 #include "core/render/device_scene.h"
 #include "core/render/film.h"
+#include "core/render/picture.h"
+#include "core/render/picture_display.h"
+#include "core/render/preview_denoiser.h"
 #include "core/render/render_plan.h"
 #include "core/render/render_thread.h"
 #include "core/render/statistics.h"
 
 #include <chrono>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +33,13 @@ struct RayRecord {
     Buffer<DeviceRecordedRay> rays;
     Buffer<std::uint32_t> count; ///< One, of the rays that there are, also where there is no room for them.
     std::uint32_t capacity = 0;
+};
+
+/// A picture for the screen, sRGB RGBA.
+struct Preview {
+    std::vector<std::uint8_t> pixels;
+    bool isDenoised = false;   ///< To be said wherever it is shown.
+    double milliseconds = 0.0; ///< That the device spent on denoising.
 };
 
 /// Renders scenes on one device: plans, brings the device up to date, adds sample after sample. For one
@@ -67,8 +78,17 @@ class Renderer {
     int width() const { return state_.width; }
     int height() const { return state_.height; }
 
-    /// The picture for a screen, RGBA, tone mapped with the scene's exposure.
+    /// The picture for a screen, sRGB RGBA, through the scene's exposure and view transform; never denoised.
     Result<std::vector<std::uint8_t>> display();
+
+    /// The picture for a preview: denoised where the scene's settings want that.
+    Result<Preview> preview();
+
+    /// The picture as these files need it; never denoised.
+    Result<Picture> picture(std::initializer_list<PictureFormat> formats);
+
+    /// False while a pass was left half done: the picture is no use.
+    bool hasPicture() const { return state_.scene && state_.samples > 0 && !state_.dropped; }
 
     /// Linear radiance and coverage, RGBA.
     Result<std::vector<float>> mean();
@@ -100,6 +120,9 @@ class Renderer {
     DeviceView viewOf(const Scene& scene, int width, int height) const;
     DeviceShading shadingOf(const Scene& scene) const;
     void record(Stage stage, double milliseconds);
+    SummedPicture summed() const { return {film_.sums, film_.width, film_.height, state_.samples}; }
+    RenderSettings settings() const;
+    Result<SummedPicture> denoised();
 
     std::unique_ptr<Context> context_;
     TreeStore trees_;
@@ -107,6 +130,9 @@ class Renderer {
     std::unique_ptr<DeviceScene> deviceScene_;
     DeviceState state_;
     Film film_;
+    PictureDisplay display_;
+    std::optional<PreviewDenoiser> denoiser_; ///< While it is wanted.
+    bool hasGuides_ = false;                  ///< Of the present picture.
 
     RenderPlan plan_;
     RayShader* rayShader_ = nullptr;

@@ -28,6 +28,13 @@ typedef std::int32_t DeviceInt;
 // Linear values up to here (2^-13) are byte 0 in sRGB.
 #define PRIZMA_SRGB_SMALLEST 0.0001220703125f
 
+// Between these (2^-13 and 2^5) the filmic curve goes from black to white.
+#define PRIZMA_FILMIC_SMALLEST 0.0001220703125f
+#define PRIZMA_FILMIC_LARGEST 32.0f
+
+// Places beside a row of the denoiser's planes: as far as its widest step reads.
+#define PRIZMA_DENOISE_MARGIN 32
+
 // Wide8: boxes of eight children as lowX, highX, lowY, highY, lowZ, highZ. A missing child has an inside-out box.
 typedef struct {
     float bounds[6][8];
@@ -124,7 +131,8 @@ typedef struct {
     DeviceUint doubleSided;
 } DeviceMaterial;
 
-// A picture inside the texel buffer: 8-bit sRGB RGBA (one uint a texel) or four linear floats a texel.
+// A picture inside the texel buffer: 8-bit sRGB RGBA (one uint a texel) or four linear floats a texel. Its mip levels
+// follow it in the table.
 typedef struct {
     DeviceUint offset; // in 4-byte words
     DeviceInt width;
@@ -150,6 +158,50 @@ typedef struct {
     float halfV[3];
     DeviceUint visible; // rectangle, sphere: to the camera
 } DeviceLight;
+
+#define PRIZMA_LIGHT_TWO_SIDED 1u // something here shines to both sides
+#define PRIZMA_LIGHT_MOVES 2u     // something here is posed: it may be anywhere and shine anywhere
+#define PRIZMA_LIGHT_IS_MET 4u    // rays can meet a rectangle or sphere light here
+
+// A node of the tree over the lights and emissive triangles (Conty Estevez and Kulla 2018): where they are and which way
+// they shine. Node 0 is the root; the two children of a node are neighbours, the first at an odd place.
+typedef struct {
+    float low[3];
+    DeviceUint child; // the first one; in a leaf LEAF_BIT | emitter: a light, or lightCount + place of a DeviceEmitter
+    float high[3];
+    float power;   // sum of the greatest radiant intensities
+    float axis[3]; // of a cone that holds the normals of all emitters
+    float cosCone;
+    float cosEmission; // how far from its normal an emitter shines
+    DeviceUint parent;
+    DeviceUint flags; // PRIZMA_LIGHT_...
+    DeviceUint padding;
+} DeviceLightNode;
+
+// A triangle that shines.
+typedef struct {
+    DeviceUint object;    // among those that shine
+    DeviceUint primitive; // index into the mesh's triangles
+} DeviceEmitter;
+
+#define PRIZMA_CHOICE_BACKGROUND 0xFFFFFFFFu
+
+// A light from outside the scene, which is in no tree: a directional light, or the background.
+typedef struct {
+    float end; // of its part of [0, 1), which begins where that of the one before ends
+    float probability;
+    DeviceUint light; // in the light table, or PRIZMA_CHOICE_BACKGROUND
+} DeviceFarLight;
+
+// How lights are chosen.
+typedef struct {
+    DeviceUint nodeCount;    // of the tree
+    DeviceUint emitterCount; // emissive triangles
+    DeviceUint farCount;
+    float farIrradiance; // about what all far lights give together
+    DeviceUint environmentWidth; // cells of the background's table; 0: there is none
+    DeviceUint environmentHeight;
+} DeviceLightSet;
 
 // What one pass looks at: the camera relative to the anchor, the picture, and which of its pixels this launch does.
 typedef struct {
@@ -229,6 +281,16 @@ typedef struct {
     DeviceUint nodeBase;
 } DeviceRefitEntry;
 
+// What a work group of RayShader (or a packet of sixteen pixels) did in one pass. `times` are in ticks of the processor's
+// clock, of the few packets that look at it: see packet_work.clh.
+typedef struct {
+    DeviceUint shadowRays;
+    DeviceUint secondaryRays;
+    DeviceUint nonFinite; // pixels whose sample was not a number or infinite: counted, and left out of the sum
+    DeviceUint times[6];
+    DeviceUint padding;
+} DeviceWork;
+
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(WideNode) == 224);
 static_assert(sizeof(WideLeaf) == 320);
@@ -241,6 +303,10 @@ static_assert(sizeof(DeviceTriangle) == 16);
 static_assert(sizeof(DeviceMaterial) == 112);
 static_assert(sizeof(DeviceTexture) == 16);
 static_assert(sizeof(DeviceLight) == 80);
+static_assert(sizeof(DeviceLightNode) == 64);
+static_assert(sizeof(DeviceEmitter) == 8);
+static_assert(sizeof(DeviceFarLight) == 12);
+static_assert(sizeof(DeviceLightSet) == 24);
 static_assert(sizeof(DeviceView) == 88);
 static_assert(sizeof(DeviceShading) == 52);
 static_assert(sizeof(DeviceSkinVertex) == 32);
@@ -249,6 +315,7 @@ static_assert(sizeof(DeviceMorphOffset) == 32);
 static_assert(sizeof(DeviceVertexBlock) == 20);
 static_assert(sizeof(DeviceTreeBlock) == 20);
 static_assert(sizeof(DeviceRefitEntry) == 8);
+static_assert(sizeof(DeviceWork) == 40);
 } // namespace prizma
 #endif
 

@@ -10,11 +10,11 @@ constexpr std::string_view includeDirective = "#include \"";
 
 /// `open` holds the files that are being expanded, outermost first. Files guard themselves against being read
 /// twice, as an #include inside an #ifdef must not keep a later one from bringing in the text.
-void expand(std::string_view name, std::vector<std::string_view>& open, std::string& out) {
+void expand(std::string_view name, std::string_view text, std::vector<std::string_view>& open,
+            std::string& out) {
     if (std::ranges::count(open, name) > 0)
         return;
     open.push_back(name);
-    std::string_view text = kernelFile(name);
     const auto lineDirective = [&](int line) {
         out += "#line " + std::to_string(line) + " \"" + std::string(name) + "\"\n";
     };
@@ -25,7 +25,8 @@ void expand(std::string_view name, std::vector<std::string_view>& open, std::str
         text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
         if (current.starts_with(includeDirective)) {
             const std::string_view rest = current.substr(includeDirective.size());
-            expand(rest.substr(0, rest.find('"')), open, out);
+            const std::string_view included = rest.substr(0, rest.find('"'));
+            expand(included, kernelFile(included), open, out);
             lineDirective(line + 1);
         } else {
             out += current;
@@ -38,9 +39,13 @@ void expand(std::string_view name, std::vector<std::string_view>& open, std::str
 } // namespace
 
 std::string expandedKernelSource(std::string_view name) {
+    return expandedKernelSource(name, kernelFile(name));
+}
+
+std::string expandedKernelSource(std::string_view name, std::string_view text) {
     std::vector<std::string_view> open;
     std::string out;
-    expand(name, open, out);
+    expand(name, text, open, out);
     return out;
 }
 

@@ -13,4 +13,7 @@ std::string_view kernelFile(std::string_view name);
 /// compiler's messages name the right file and line.
 std::string expandedKernelSource(std::string_view name);
 
+/// The same for a text from elsewhere, as if it were a file of that name beside the kernels.
+std::string expandedKernelSource(std::string_view name, std::string_view text);
+
 } // namespace prizma

@@ -89,7 +89,12 @@ fs::path programCacheFolder() {
 }
 
 Result<ClProgram> buildProgram(Context& context, const std::string& file, const std::string& options) {
-    const std::string source = expandedKernelSource(file);
+    return buildProgram(context, file, kernelFile(file), options);
+}
+
+Result<ClProgram> buildProgram(Context& context, const std::string& file, std::string_view content,
+                               const std::string& options) {
+    const std::string source = expandedKernelSource(file, content);
     const DeviceInfo& info = context.info();
     const fs::path folder = programCacheFolder();
     const fs::path cached =

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 namespace prizma {
 
@@ -17,5 +18,9 @@ std::filesystem::path programCacheFolder();
 /// expanded source, the options, the device and its driver. A cache entry that no longer loads is replaced.
 /// Errors hold the compiler's log.
 Result<ClProgram> buildProgram(Context& context, const std::string& file, const std::string& options);
+
+/// The same for kernels from elsewhere: `content` is built as if it were kernels/`file`.
+Result<ClProgram> buildProgram(Context& context, const std::string& file, std::string_view content,
+                               const std::string& options);
 
 } // namespace prizma

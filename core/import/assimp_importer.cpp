@@ -3,9 +3,11 @@
 #include "core/import/assimp_io.h"
 #include "core/import/assimp_material.h"
 #include "core/import/assimp_skin.h"
+#include "core/import/atomic_file.h"
 #include "core/import/file_finder.h"
 #include "core/import/file_space.h"
 #include "core/import/mesh_builder.h"
+#include "core/import/text_file.h"
 
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -35,10 +37,10 @@ bool isFinite(const glm::vec3& v) {
 class ModelBuilder {
   public:
     ModelBuilder(const aiScene& scene, const std::string& file, const std::vector<std::string>& folders,
-                 const ImportOptions& options)
+                 MaterialSources sources, const ImportOptions& options)
         : scene_(scene),
           toObject_(fileToObject(options.upAxis, options.unitScale)),
-          materials_(scene, file, folders, model_.warnings),
+          materials_(scene, file, folders, std::move(sources), options.unitScale, model_.warnings),
           slotOfMaterial_(scene.mNumMaterials) {
         if (AssimpSkin::isNeeded(scene))
             skin_.emplace(scene, toObject_);
@@ -158,7 +160,7 @@ class ModelBuilder {
         auto& slot = slotOfMaterial_[materialIndex];
         if (!slot) {
             slot = static_cast<std::uint32_t>(model_.materials.size());
-            Material material = materials_.read(*scene_.mMaterials[materialIndex]);
+            Material material = materials_.read(materialIndex);
             material.name = freeName(material.name);
             model_.materials.push_back(std::move(material));
         }
@@ -238,12 +240,26 @@ class AssimpFile {
     Assimp::Importer importer_;
 };
 
+MaterialSources readMaterialSources(const std::string& file, const AssimpFiles& files) {
+    MaterialSources sources;
+    const std::string extension = lowerExtension(file);
+    if (extension == "obj")
+        for (const std::string& companion : files.companions())
+            if (const auto text = readTextFile(companion, mostModelBytes))
+                sources.mtl.merge(readMtl(*text));
+    if (extension == "gltf" || extension == "glb")
+        if (const auto content = readFile(file))
+            sources.gltf = readGltfExtras(*content);
+    return sources;
+}
+
 Result<ImportedModel> readModel(const std::string& file, const ImportOptions& options, Progress& progress) {
     AssimpFile source(file, progress);
     const auto scene = source.read();
     if (!scene)
         return std::unexpected(scene.error());
-    ModelBuilder builder(**scene, file, source.files().folders(), options);
+    ModelBuilder builder(**scene, file, source.files().folders(), readMaterialSources(file, source.files()),
+                         options);
     builder.addNodes();
     progress.set(0.8);
     if (progress.isCancelled())

@@ -54,9 +54,14 @@ bool isTextFormat(const std::string& file) {
     return extension == "obj" || extension == "mtl";
 }
 
+void addOnce(std::vector<std::string>& list, const std::string& entry) {
+    if (std::find(list.begin(), list.end(), entry) == list.end())
+        list.push_back(entry);
+}
+
 } // namespace
 
-AssimpFiles::AssimpFiles(const std::string& model) : folders_{folderOf(model)} {}
+AssimpFiles::AssimpFiles(const std::string& model) : folders_{folderOf(model)}, model_(model) {}
 
 bool AssimpFiles::Exists(const char* name) const {
     return findFile(folders_.front(), name).has_value();
@@ -75,13 +80,12 @@ Assimp::IOStream* AssimpFiles::Open(const char* name, const char* mode) {
         content = std::move(*text) + "\n";
     }
     if (!content) {
-        const std::string wanted = expectedPath(folders_.front(), name);
-        if (std::find(missing_.begin(), missing_.end(), wanted) == missing_.end())
-            missing_.push_back(wanted);
+        addOnce(missing_, expectedPath(folders_.front(), name));
         return nullptr;
     }
-    if (std::find(folders_.begin(), folders_.end(), folderOf(*found)) == folders_.end())
-        folders_.push_back(folderOf(*found));
+    addOnce(folders_, folderOf(*found));
+    if (*found != model_)
+        addOnce(companions_, *found);
     return std::make_unique<MemoryStream>(std::move(*content)).release(); // assimp hands it back to Close
 }
 

@@ -26,12 +26,17 @@ class AssimpFiles : public Assimp::IOSystem {
     /// Files beside the model that were wanted but are not there, each once.
     const std::vector<std::string>& missing() const { return missing_; }
 
+    /// Files beside the model that were read, each once.
+    const std::vector<std::string>& companions() const { return companions_; }
+
     /// Folders of the files that were read, the model's own first: where its textures may be.
     const std::vector<std::string>& folders() const { return folders_; }
 
   private:
     std::vector<std::string> folders_;
+    std::string model_;
     std::vector<std::string> missing_;
+    std::vector<std::string> companions_;
 };
 
 /// Passes assimp's progress on as the part of it up to `share`, and breaks the import off by an exception,

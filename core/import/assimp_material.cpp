@@ -1,11 +1,11 @@
 #include "core/import/assimp_material.h"
 
-#include "core/import/file_finder.h"
+#include "core/import/derived_pictures.h"
 #include "core/import/image_decoder.h"
-#include "core/import/image_loader.h"
+#include "core/import/mtl_material.h"
+#include "core/import/phong_material.h"
 
 #include <assimp/GltfMaterial.h>
-#include <assimp/ObjMaterial.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,198 +32,46 @@ std::optional<glm::dvec3> color(const aiMaterial& source, const char* key, unsig
     return glm::max(rgb, 0.0);
 }
 
-double largest(const glm::dvec3& v) {
-    return std::max({v.x, v.y, v.z});
+/// assimp's glTF importer stores truth values as single bytes, for which it has no getter.
+bool isTrue(const aiMaterial& source, const char* key, unsigned type, unsigned index) {
+    const aiMaterialProperty* property = nullptr;
+    if (aiGetMaterialProperty(&source, key, type, index, &property) != aiReturn_SUCCESS)
+        return false;
+    return property->mDataLength > 0 && std::any_of(property->mData, property->mData + property->mDataLength,
+                                                    [](char byte) { return byte != 0; });
+}
+
+std::string text(const aiMaterial& source, const char* key, unsigned type, unsigned index) {
+    aiString value;
+    return source.Get(key, type, index, value) == aiReturn_SUCCESS ? value.C_Str() : std::string();
 }
 
 double fraction(double value) {
     return std::clamp(value, 0.0, 1.0);
 }
 
-bool isColoured(const glm::dvec3& v) {
-    return largest(v) - std::min({v.x, v.y, v.z}) > 0.01;
-}
-
-/// What a Phong material (MTL above all) says, as far as the file says it.
-struct Phong {
-    glm::dvec3 diffuse, specular, transparent;
-    double shininess, opacity, ior;
-    int illum;
-};
-
-Phong readPhong(const aiMaterial& source) {
-    Phong phong{};
-    phong.diffuse = color(source, AI_MATKEY_COLOR_DIFFUSE).value_or(glm::dvec3(0.8));
-    phong.specular = color(source, AI_MATKEY_COLOR_SPECULAR).value_or(glm::dvec3(0.0));
-    phong.transparent = color(source, AI_MATKEY_COLOR_TRANSPARENT).value_or(glm::dvec3(1.0));
-    phong.shininess = std::max(0.0, number(source, AI_MATKEY_SHININESS).value_or(0.0));
-    phong.opacity = fraction(number(source, AI_MATKEY_OPACITY).value_or(1.0));
-    phong.ior = number(source, AI_MATKEY_REFRACTI).value_or(1.0);
-    source.Get(AI_MATKEY_OBJ_ILLUM, phong.illum);
+PhongMaterial phongOf(const aiMaterial& source) {
+    PhongMaterial phong;
+    phong.diffuse = color(source, AI_MATKEY_COLOR_DIFFUSE).value_or(phong.diffuse);
+    phong.specular = color(source, AI_MATKEY_COLOR_SPECULAR).value_or(phong.specular) *
+                     std::max(0.0, number(source, AI_MATKEY_SHININESS_STRENGTH).value_or(1.0));
+    phong.filter = color(source, AI_MATKEY_COLOR_TRANSPARENT).value_or(phong.filter);
+    phong.shininess = std::max(0.0, number(source, AI_MATKEY_SHININESS).value_or(phong.shininess));
+    phong.opacity = fraction(number(source, AI_MATKEY_OPACITY).value_or(phong.opacity));
+    phong.ior = number(source, AI_MATKEY_REFRACTI).value_or(phong.ior);
+    phong.isTextured = source.GetTextureCount(aiTextureType_DIFFUSE) > 0;
     return phong;
 }
 
-/// Illumination models 4, 6, 7 and 9 are glass; others are if they let light through and bend it.
-bool isGlass(const Phong& phong, bool textured) {
-    if (phong.illum == 6 || phong.illum == 7)
-        return true;
-    const bool bends = phong.ior > 1.01;
-    if (phong.illum == 4 || phong.illum == 9)
-        return phong.opacity < 1.0 || (bends && !textured);
-    return phong.opacity < 1.0 && bends && !textured;
-}
-
-/// Glass keeps the hue of its filter colour, but not its darkness: what MTL files call dark glass is often
-/// clear.
-glm::dvec3 glassTint(const Phong& phong) {
-    const glm::dvec3 tint = isColoured(phong.transparent) ? phong.transparent : phong.diffuse;
-    return largest(tint) > 0.05 ? tint / largest(tint) : glm::dvec3(1.0);
-}
-
-void mapPhong(const aiMaterial& source, Material& material) {
-    const Phong phong = readPhong(source);
-    const bool textured = source.GetTextureCount(aiTextureType_DIFFUSE) > 0;
-    material.baseColor = glm::min(phong.diffuse, 1.0);
-    // Exporters that write a texture often leave the colour black, though it should multiply.
-    if (textured && phong.diffuse == glm::dvec3(0.0))
-        material.baseColor = glm::dvec3(1.0);
-    material.specular = fraction(largest(phong.specular));
-    material.roughness = std::sqrt(2.0 / (phong.shininess + 2.0));
-    material.alpha = phong.opacity;
-    if (phong.ior > 1.01) // 1 (or 0) is what is written when nothing was meant
-        material.ior = std::clamp(phong.ior, 1.0, 4.0);
-    const bool mirror = phong.illum == 3 || phong.illum == 5 || phong.illum == 8;
-    if (isGlass(phong, textured)) {
-        material.transmission = phong.opacity < 1.0 ? 1.0 - phong.opacity : 1.0;
-        material.alpha = 1.0;
-        material.baseColor = glassTint(phong);
-        material.roughness = 0.0;
-        material.specular = 1.0; // exact Fresnel
-    } else if (mirror && material.specular > 0.0) {
-        material.roughness = 0.0;
-        if (largest(phong.specular) >= largest(phong.diffuse)) {
-            material.metallic = 1.0;
-            material.baseColor = glm::min(phong.specular, 1.0);
-        }
-    }
-}
-
-/// glTF and others whose materials are like ours.
-void mapPhysical(const aiMaterial& source, Material& material) {
-    if (const auto base = color(source, AI_MATKEY_BASE_COLOR))
-        material.baseColor = glm::min(*base, 1.0);
-    aiColor4D base;
-    if (source.Get(AI_MATKEY_BASE_COLOR, base) == aiReturn_SUCCESS && std::isfinite(base.a))
-        material.alpha = fraction(base.a);
-    aiString alphaMode;
-    if (source.Get(AI_MATKEY_GLTF_ALPHAMODE, alphaMode) == aiReturn_SUCCESS &&
-        std::string_view(alphaMode.C_Str()) == "OPAQUE")
-        material.alpha = 1.0;
-    material.specular = 1.0;
-    material.ior = std::clamp(number(source, AI_MATKEY_REFRACTI).value_or(1.5), 1.0, 4.0);
-    material.transmission = fraction(number(source, AI_MATKEY_TRANSMISSION_FACTOR).value_or(0.0));
-}
-
 std::string materialName(const aiMaterial& source) {
-    aiString name;
-    if (source.Get(AI_MATKEY_NAME, name) != aiReturn_SUCCESS || name.length == 0)
-        return "material";
-    return name.C_Str();
+    const std::string name = text(source, AI_MATKEY_NAME);
+    return name.empty() ? "material" : name;
 }
 
-/// Normal maps are bluish all over; height maps, which the same MTL keyword may mean, are grey.
-bool looksLikeNormalMap(const Image& image) {
-    if (image.bytes.empty())
-        return false;
-    double sums[3] = {0.0, 0.0, 0.0};
-    for (std::size_t i = 0; i + 3 < image.bytes.size(); i += 4)
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            sums[channel] += image.bytes[i + channel];
-    return sums[2] > 1.3 * sums[0] && sums[2] > 1.3 * sums[1];
-}
-
-} // namespace
-
-MaterialReader::MaterialReader(const aiScene& scene, std::string file, std::vector<std::string> folders,
-                               Diagnostics& warnings)
-    : scene_(scene), file_(std::move(file)), folders_(std::move(folders)), warnings_(warnings) {}
-
-Material MaterialReader::read(const aiMaterial& source) {
-    Material material;
-    material.name = materialName(source);
-    const auto metallic = number(source, AI_MATKEY_METALLIC_FACTOR);
-    const auto roughness = number(source, AI_MATKEY_ROUGHNESS_FACTOR);
-    mapPhong(source, material);
-    if (color(source, AI_MATKEY_BASE_COLOR))
-        mapPhysical(source, material);
-    if (metallic)
-        material.metallic = fraction(*metallic);
-    if (roughness)
-        material.roughness = fraction(*roughness);
-    material.emission = color(source, AI_MATKEY_COLOR_EMISSIVE).value_or(glm::dvec3(0.0));
-    material.emissionStrength = std::max(0.0, number(source, AI_MATKEY_EMISSIVE_INTENSITY).value_or(1.0));
-    readTextures(source, material);
-    return material;
-}
-
-void MaterialReader::readTextures(const aiMaterial& source, Material& material) {
-    material.baseColorTexture = readTexture(source, aiTextureType_BASE_COLOR);
-    if (!material.baseColorTexture.isSet())
-        material.baseColorTexture = readTexture(source, aiTextureType_DIFFUSE);
-    material.normalTexture = readTexture(source, aiTextureType_NORMALS);
-    if (material.normalTexture.isSet())
-        return;
-    const Texture bump = readTexture(source, aiTextureType_HEIGHT);
-    if (!bump.image || looksLikeNormalMap(*bump.image))
-        material.normalTexture = bump;
-    else
-        warnings_.push_back({Severity::Warning,
-                             "It is a height map, which is not used; only normal maps are.", bump.file, 0});
-}
-
-Texture MaterialReader::readTexture(const aiMaterial& source, aiTextureType type) {
-    aiString name;
-    if (source.GetTextureCount(type) == 0 || source.GetTexture(type, 0, &name) != aiReturn_SUCCESS)
-        return {};
-    const std::string key = name.C_Str();
-    if (cleanFileName(key).empty())
-        return {};
-    auto [found, isNew] = textures_.try_emplace(key);
-    if (isNew)
-        found->second = loadTexture(key);
-    return found->second;
-}
-
-Texture MaterialReader::loadTexture(const std::string& name) {
-    if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str()))
-        return loadEmbedded(*embedded, name);
-    std::optional<std::string> file;
-    for (const std::string& folder : folders_)
-        if (!file)
-            file = findFile(folder, name);
-    if (!file) {
-        const std::string expected = expectedPath(folders_.front(), name);
-        warnings_.push_back(
-            {Severity::Warning, "The texture is missing; a checkerboard stands in for it.", expected, 0});
-        return {expected, nullptr};
-    }
-    const auto image = loadImage(*file);
-    if (!image) {
-        warnings_.push_back({Severity::Warning, image.error().message, *file, 0});
-        return {*file, nullptr};
-    }
-    return {*file, *image};
-}
-
-Texture MaterialReader::loadEmbedded(const aiTexture& source, const std::string& name) {
-    const std::string file = file_ + "#" + name;
-    if (source.mHeight == 0) {
-        const auto image = decodeImage({reinterpret_cast<const char*>(source.pcData), source.mWidth}, file);
-        if (image)
-            return {file, *image};
-        warnings_.push_back({Severity::Warning, image.error().message, file, 0});
-        return {file, nullptr};
-    }
+/// A picture inside the model file: the content of a picture file, or plain texels.
+Result<ImagePtr> decodeEmbedded(const aiTexture& source, const std::string& file) {
+    if (source.mHeight == 0)
+        return decodeImage({reinterpret_cast<const char*>(source.pcData), source.mWidth}, file);
     auto image = std::make_shared<Image>();
     image->width = static_cast<int>(source.mWidth);
     image->height = static_cast<int>(source.mHeight);
@@ -234,7 +82,159 @@ Texture MaterialReader::loadEmbedded(const aiTexture& source, const std::string&
         image->bytes.insert(image->bytes.end(), {texel.r, texel.g, texel.b, texel.a});
         image->opaque = image->opaque && texel.a == 255;
     }
-    return {file, image};
+    return image;
+}
+
+} // namespace
+
+MaterialReader::MaterialReader(const aiScene& scene, std::string file, std::vector<std::string> folders,
+                               MaterialSources sources, double unitScale, Diagnostics& warnings)
+    : scene_(scene),
+      file_(file),
+      sources_(std::move(sources)),
+      unitScale_(unitScale),
+      pictures_(std::move(file), std::move(folders), warnings) {}
+
+Material MaterialReader::read(unsigned index) {
+    const aiMaterial& source = *scene_.mMaterials[index];
+    const std::string name = materialName(source);
+    if (const auto found = sources_.mtl.find(name); found != sources_.mtl.end())
+        return materialOf(found->second, name, pictures_);
+    Material material = color(source, AI_MATKEY_BASE_COLOR) ? readPhysical(source) : readPhong(source);
+    material.name = name;
+    material.emission = color(source, AI_MATKEY_COLOR_EMISSIVE).value_or(glm::dvec3(0.0));
+    material.emissionStrength = std::max(0.0, number(source, AI_MATKEY_EMISSIVE_INTENSITY).value_or(1.0));
+    readTextures(source, material);
+    if (!text(source, AI_MATKEY_GLTF_ALPHAMODE).empty())
+        readGltf(source, index, material);
+    return material;
+}
+
+Material MaterialReader::readPhong(const aiMaterial& source) {
+    Material material;
+    applyPhong(phongOf(source), material);
+    if (const auto metallic = number(source, AI_MATKEY_METALLIC_FACTOR))
+        material.metallic = fraction(*metallic);
+    if (const auto roughness = number(source, AI_MATKEY_ROUGHNESS_FACTOR))
+        material.roughness = fraction(*roughness);
+    return material;
+}
+
+/// glTF and others whose materials are like ours.
+Material MaterialReader::readPhysical(const aiMaterial& source) {
+    Material material;
+    material.baseColor = glm::min(color(source, AI_MATKEY_BASE_COLOR).value_or(material.baseColor), 1.0);
+    aiColor4D base;
+    if (source.Get(AI_MATKEY_BASE_COLOR, base) == aiReturn_SUCCESS && std::isfinite(base.a))
+        material.alpha = fraction(static_cast<double>(base.a));
+    material.specular = fraction(number(source, AI_MATKEY_SPECULAR_FACTOR).value_or(1.0));
+    material.metallic = fraction(number(source, AI_MATKEY_METALLIC_FACTOR).value_or(0.0));
+    material.roughness = fraction(number(source, AI_MATKEY_ROUGHNESS_FACTOR).value_or(0.5));
+    material.ior = std::clamp(number(source, AI_MATKEY_REFRACTI).value_or(1.5), 1.0, 4.0);
+    material.transmission = fraction(number(source, AI_MATKEY_TRANSMISSION_FACTOR).value_or(0.0));
+    const double distance = number(source, AI_MATKEY_VOLUME_ATTENUATION_DISTANCE).value_or(0.0);
+    material.attenuationDistance = std::max(0.0, distance) * unitScale_;
+    material.attenuationColor =
+        glm::min(color(source, AI_MATKEY_VOLUME_ATTENUATION_COLOR).value_or(glm::dvec3(1.0)), 1.0);
+    return material;
+}
+
+void MaterialReader::readGltf(const aiMaterial& source, unsigned index, Material& material) {
+    const std::string mode = text(source, AI_MATKEY_GLTF_ALPHAMODE);
+    material.alphaMode = mode == "MASK"    ? AlphaMode::Mask
+                         : mode == "BLEND" ? AlphaMode::Blend
+                                           : AlphaMode::Opaque;
+    material.alphaCutoff = fraction(number(source, AI_MATKEY_GLTF_ALPHACUTOFF).value_or(0.5));
+    material.doubleSided = isTrue(source, AI_MATKEY_TWOSIDED);
+    if (index >= sources_.gltf.size())
+        return;
+    const GltfExtras& extras = sources_.gltf[index];
+    material.emissionStrength = std::max(0.0, extras.emissiveStrength.value_or(1.0));
+    material.specular = fraction(extras.specular.value_or(1.0));
+    material.specularColor = glm::max(extras.specularColor.value_or(glm::dvec3(1.0)), 0.0);
+    material.specularTexture = readNamed(extras.specularImage);
+    if (extras.hasMovedTextures)
+        pictures_.warn("Textures of \"" + material.name +
+                           "\" are moved or scaled (KHR_texture_transform), which is not supported: they are "
+                           "used as they are.",
+                       file_);
+}
+
+Texture MaterialReader::baseColorTexture(const aiMaterial& source) {
+    Texture color = readTexture(source, aiTextureType_BASE_COLOR);
+    if (!color.isSet())
+        color = readTexture(source, aiTextureType_DIFFUSE);
+    const Texture opacity = readTexture(source, aiTextureType_OPACITY);
+    if (!opacity.image || opacity.file == color.file || (color.isSet() && !color.image))
+        return color;
+    return pictures_.made("colour " + color.file + ", alpha " + opacity.file,
+                          [&] { return withOpacity(color.image, opacity.image); });
+}
+
+void MaterialReader::readTextures(const aiMaterial& source, Material& material) {
+    material.baseColorTexture = baseColorTexture(source);
+    material.emissionTexture = readTexture(source, aiTextureType_EMISSION_COLOR);
+    if (!material.emissionTexture.isSet())
+        material.emissionTexture = readTexture(source, aiTextureType_EMISSIVE);
+    // Where the material's emission is not said, its texture is all there is.
+    if (material.emissionTexture.image && material.emission == glm::dvec3(0.0) &&
+        text(source, AI_MATKEY_GLTF_ALPHAMODE).empty())
+        material.emission = glm::dvec3(1.0);
+    if (const Texture specular = readTexture(source, aiTextureType_SPECULAR); specular.image)
+        material.specularTexture =
+            pictures_.made("alpha is " + specular.file, [&] { return valuesInAlpha(specular.image); });
+    material.transmissionTexture = readTexture(source, aiTextureType_TRANSMISSION);
+    readMetallicRoughness(source, material);
+    readNormals(source, material);
+}
+
+void MaterialReader::readMetallicRoughness(const aiMaterial& source, Material& material) {
+    const Texture metallic = readTexture(source, aiTextureType_METALNESS);
+    const Texture roughness = readTexture(source, aiTextureType_DIFFUSE_ROUGHNESS);
+    if (!metallic.image && !roughness.image)
+        return;
+    if (metallic.file == roughness.file) { // packed, as glTF has it
+        material.metallicRoughnessTexture = metallic;
+        return;
+    }
+    // Apart they come from programs in which a texture takes the number's place.
+    material.metallic = metallic.image ? 1.0 : material.metallic;
+    material.roughness = roughness.image ? 1.0 : material.roughness;
+    material.metallicRoughnessTexture =
+        pictures_.made("roughness " + roughness.file + ", metallic " + metallic.file,
+                       [&] { return metallicRoughness(roughness.image, metallic.image); });
+}
+
+void MaterialReader::readNormals(const aiMaterial& source, Material& material) {
+    material.normalTexture = readTexture(source, aiTextureType_NORMALS);
+    if (!material.normalTexture.isSet())
+        material.normalTexture = readTexture(source, aiTextureType_NORMAL_CAMERA);
+    if (const auto scale = number(source, AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0)))
+        material.normalScale = *scale;
+    if (material.normalTexture.isSet())
+        return;
+    const Texture bump = readTexture(source, aiTextureType_HEIGHT);
+    const double depth = number(source, AI_MATKEY_BUMPSCALING).value_or(1.0);
+    if (!bump.image || looksLikeNormalMap(*bump.image))
+        material.normalTexture = bump;
+    else
+        material.normalTexture =
+            pictures_.made("normals of heights " + std::to_string(depth) + " times " + bump.file,
+                           [&] { return normalsFromHeights(bump.image, depth); });
+}
+
+Texture MaterialReader::readTexture(const aiMaterial& source, aiTextureType type) {
+    aiString name;
+    if (source.GetTextureCount(type) == 0 || source.GetTexture(type, 0, &name) != aiReturn_SUCCESS)
+        return {};
+    return readNamed(name.C_Str());
+}
+
+Texture MaterialReader::readNamed(const std::string& name) {
+    const aiTexture* embedded = name.empty() ? nullptr : scene_.GetEmbeddedTexture(name.c_str());
+    if (!embedded)
+        return pictures_.read(name);
+    return pictures_.embedded(name, [&] { return decodeEmbedded(*embedded, file_ + "#" + name); });
 }
 
 } // namespace prizma

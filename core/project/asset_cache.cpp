@@ -15,7 +15,7 @@ const Result<ImportedModel>& AssetCache::model(const MeshSource& source) {
             .first->second;
     if (model)
         for (const Material& material : model->materials)
-            for (const Texture& texture : {material.baseColorTexture, material.normalTexture})
+            for (const Texture& texture : texturesOf(material))
                 if (texture.isSet())
                     images_.emplace(texture.file, texture.image);
     return model;

@@ -384,8 +384,10 @@ class Reader {
         if (project_.scene.materials.empty())
             return;
         for (Material& material : project_.scene.materials.edit()) {
-            assets_.loadTexture(material.baseColorTexture, project_.warnings);
-            assets_.loadTexture(material.normalTexture, project_.warnings);
+            for (Texture* texture :
+                 {&material.baseColorTexture, &material.specularTexture, &material.metallicRoughnessTexture,
+                  &material.transmissionTexture, &material.emissionTexture, &material.normalTexture})
+                assets_.loadTexture(*texture, project_.warnings);
         }
     }
 

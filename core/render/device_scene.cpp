@@ -14,7 +14,7 @@ Result<void> DeviceScene::run(const PlannedStage& stage, const Scene& scene, con
     case Stage::Materials:
         return materials_.updateMaterials(context_, scene);
     case Stage::Lights:
-        return materials_.updateLights(context_, scene, anchor);
+        return lights_.updateLights(context_, scene, anchor);
     case Stage::NewTrees:
         return replaceTrees(stage, trees, state);
     case Stage::Poses:
@@ -26,10 +26,20 @@ Result<void> DeviceScene::run(const PlannedStage& stage, const Scene& scene, con
     case Stage::RefitTreeShader:
         return refit(stage, trees);
     case Stage::TopLevel:
-        return instances_.update(context_, scene, geometry_, materials_, anchor);
+        return updateTopLevel(scene, anchor);
+    case Stage::LightTree:
+        return lights_.updateTree(context_, scene, instances_, anchor);
+    case Stage::Background:
+        return lights_.updateBackground(context_, scene);
     default:
         return {};
     }
+}
+
+Result<void> DeviceScene::updateTopLevel(const Scene& scene, const glm::dvec3& anchor) {
+    if (auto ok = instances_.update(context_, scene, geometry_, materials_, anchor); !ok)
+        return ok;
+    return lights_.updateInstances(context_, instances_);
 }
 
 Result<void> DeviceScene::refit(const PlannedStage& stage, TreeStore& trees) {
@@ -68,15 +78,17 @@ void DeviceScene::removeAllBut(const std::set<Id>& objects) {
 }
 
 Result<void> DeviceScene::ensure() {
-    return geometry_.ensure(context_);
+    if (auto ok = geometry_.ensure(context_); !ok)
+        return ok;
+    return lights_.ensure(context_);
 }
 
 void DeviceScene::setSceneArguments(Kernel& kernel) const {
     kernel.setArguments(instances_.topNodes(), instances_.count(), instances_.instances(), geometry_.nodes(),
                         geometry_.leaves(), geometry_.positions(), geometry_.normals(), geometry_.texCoords(),
                         geometry_.triangles(), instances_.slots(), materials_.materials(),
-                        materials_.textures(), materials_.texels(), materials_.lights(),
-                        materials_.lightCount());
+                        materials_.textures(), materials_.texels(), materials_.hasHoles() ? 1u : 0u);
+    lights_.addArguments(kernel);
 }
 
 Result<std::vector<glm::vec3>> DeviceScene::posedPositions(Id object) const {

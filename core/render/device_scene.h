@@ -4,6 +4,7 @@
 #include "core/render/geometry_store.h"
 #include "core/render/instance_store.h"
 #include "core/render/kernel_set.h"
+#include "core/render/light_store.h"
 #include "core/render/material_store.h"
 #include "core/render/mesh_poser.h"
 #include "core/render/render_plan.h"
@@ -37,7 +38,7 @@ class DeviceScene {
     /// Makes every buffer exist, so that kernels can be launched even for an empty scene.
     Result<void> ensure();
 
-    /// Sets the kernel's first fifteen arguments: SCENE_PARAMETERS of kernels/scene.clh.
+    /// Sets the kernel's first arguments: SCENE_PARAMETERS of kernels/scene.clh.
     void setSceneArguments(Kernel& kernel) const;
 
     /// A posed object's vertices as VertexShader left them, in object space. Waits for the device. Errors:
@@ -52,10 +53,12 @@ class DeviceScene {
 
     const InstanceStore& instances() const { return instances_; }
     const MaterialStore& materials() const { return materials_; }
+    const LightStore& lights() const { return lights_; }
 
   private:
     Result<void> uploadGeometry(const PlannedStage& stage, const Scene& scene, TreeStore& trees,
                                 DeviceState& state);
+    Result<void> updateTopLevel(const Scene& scene, const glm::dvec3& anchor);
     Result<void> refit(const PlannedStage& stage, TreeStore& trees);
     Result<void> replaceTrees(const PlannedStage& stage, TreeStore& trees, DeviceState& state);
 
@@ -64,6 +67,7 @@ class DeviceScene {
     const bool renewTrees_;
     GeometryStore geometry_;
     MaterialStore materials_;
+    LightStore lights_;
     InstanceStore instances_;
     MeshPoser poser_;
     TreeRefitter refitter_;

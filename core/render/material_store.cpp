@@ -2,8 +2,8 @@
 
 #include "core/scene/srgb.h"
 
-#include <glm/gtc/quaternion.hpp>
-
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <set>
@@ -29,22 +29,19 @@ ImagePtr makeCheckerboard() {
     return image;
 }
 
-std::size_t wordCount(const Image& image) {
-    return image.bytes.empty() ? image.floats.size() : image.bytes.size() / 4;
-}
+struct UsedTexture {
+    Texture texture;
+    TexelUse use;
+};
 
-std::vector<std::uint32_t> wordsOf(const Image& image) {
-    std::vector<std::uint32_t> words(wordCount(image));
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (image.bytes.empty()) {
-            words[i] = std::bit_cast<std::uint32_t>(image.floats[i]);
-        } else {
-            const std::uint8_t* p = &image.bytes[4 * i];
-            words[i] = p[0] | static_cast<std::uint32_t>(p[1]) << 8 | static_cast<std::uint32_t>(p[2]) << 16 |
-                       static_cast<std::uint32_t>(p[3]) << 24;
-        }
-    }
-    return words;
+std::array<UsedTexture, 6> usedTextures(const Material& m) {
+    const TexelUse base = m.alphaMode == AlphaMode::Opaque ? TexelUse::OpaqueColor : TexelUse::Color;
+    return {{{m.baseColorTexture, base},
+             {m.emissionTexture, TexelUse::OpaqueColor},
+             {m.specularTexture, TexelUse::Data},
+             {m.metallicRoughnessTexture, TexelUse::Data},
+             {m.transmissionTexture, TexelUse::Data},
+             {m.normalTexture, TexelUse::Normal}}};
 }
 
 /// Rows near the poles of an equirectangular picture stand for less of the sphere.
@@ -67,11 +64,6 @@ glm::dvec3 meanOverSphere(const Image& image) {
     return weights > 0.0 ? sum / weights : sum;
 }
 
-glm::dvec3 unitOrDown(const glm::dvec3& v) {
-    const double length = glm::length(v);
-    return std::isfinite(length) && length > 0.0 ? v / length : glm::dvec3(0.0, -1.0, 0.0);
-}
-
 /// Beer-Lambert coefficients, per scene unit.
 glm::dvec3 absorptionOf(const Material& material) {
     constexpr double blackest = 1e-6;
@@ -81,44 +73,15 @@ glm::dvec3 absorptionOf(const Material& material) {
            material.attenuationDistance;
 }
 
-double strengthOf(const Light& light) {
-    switch (light.type) {
-    case LightType::Point:
-    case LightType::Spot:
-        return light.intensity;
-    case LightType::Directional:
-        return light.irradiance;
-    case LightType::Rectangle:
-    case LightType::Sphere:
-        return light.radiance;
-    }
-    return 0.0;
-}
-
-bool shines(const Light& light) {
-    const glm::dvec3 strength = light.color * strengthOf(light);
-    return light.enabled && (strength.x > 0.0 || strength.y > 0.0 || strength.z > 0.0);
-}
-
-DeviceLight deviceLight(const Light& light, const glm::dvec3& anchor) {
-    DeviceLight out{};
-    out.type = static_cast<std::uint32_t>(light.type);
-    store(out.position, light.position - anchor);
-    store(out.strength, light.color * strengthOf(light));
-    glm::dvec3 direction = unitOrDown(light.direction);
-    if (light.type == LightType::Rectangle) {
-        const glm::dquat rotation = glm::normalize(light.rotation);
-        direction = rotation * glm::dvec3(0.0, -1.0, 0.0);
-        store(out.halfU, rotation * glm::dvec3(light.size.x * 0.5, 0.0, 0.0));
-        store(out.halfV, rotation * glm::dvec3(0.0, 0.0, light.size.y * 0.5));
-    }
-    store(out.direction, direction);
-    const double outer = std::max(light.outerAngle, light.innerAngle);
-    out.cosInner = static_cast<float>(std::cos(glm::radians(light.innerAngle)));
-    out.cosOuter = static_cast<float>(std::cos(glm::radians(outer)));
-    out.radius = static_cast<float>(light.radius);
-    out.visible = light.visible ? 1 : 0;
-    return out;
+/// Whether a ray may get past a surface of this material as if it were not there (kernels/surface.clh).
+bool hasHoles(const Material& material) {
+    if (!material.doubleSided && material.transmission == 0.0)
+        return true;
+    if (material.alphaMode == AlphaMode::Opaque)
+        return false;
+    const double solid = material.alphaMode == AlphaMode::Mask ? material.alphaCutoff : 1.0;
+    const ImagePtr& image = material.baseColorTexture.image;
+    return material.alpha < solid || (image && !image->opaque);
 }
 
 } // namespace
@@ -133,51 +96,75 @@ Result<void> MaterialStore::uploadConstants(Context& context) {
     if (const auto place = texels_.add(context, table); !place)
         return std::unexpected(place.error());
     checkerboard_ = makeCheckerboard();
-    return uploadPicture(context, checkerboard_);
+    return {};
 }
 
-Result<void> MaterialStore::uploadPicture(Context& context, const ImagePtr& image) {
-    if (pictures_.contains(image.get()))
+MaterialStore::PictureKey MaterialStore::keyOf(const ImagePtr& image, TexelUse use) {
+    return {image, use == TexelUse::OpaqueColor && image->opaque ? TexelUse::Color : use};
+}
+
+Result<void> MaterialStore::uploadPicture(Context& context, const PictureKey& key) {
+    if (pictures_.contains(key))
         return {};
-    const auto offset = texels_.add(context, wordsOf(*image));
+    const auto words = texelWords(*key.first, key.second);
+    const auto offset = texels_.add(context, words);
     if (!offset)
         return std::unexpected(offset.error());
-    pictures_[image.get()] = {image, *offset, 0};
+    pictures_[key] = {*offset, words.size(), 0};
     return {};
 }
 
 Result<void> MaterialStore::updateTextures(Context& context, const Scene& scene) {
     if (auto ok = uploadConstants(context); !ok)
         return ok;
-    std::set<ImagePtr> used{checkerboard_};
+    std::set<PictureKey> used{keyOf(checkerboard_, TexelUse::Color)};
     for (const Material& material : scene.materials)
-        for (const Texture& texture : texturesOf(material))
-            used.insert(texture.image);
-    used.insert(scene.background.image.image);
-    used.erase(nullptr);
+        for (const auto& [texture, use] : usedTextures(material))
+            if (texture.image)
+                used.insert(keyOf(texture.image, use));
+    if (scene.background.image.image)
+        used.insert(keyOf(scene.background.image.image, TexelUse::Color));
     std::erase_if(pictures_, [&](const auto& entry) {
-        if (used.contains(entry.second.image))
+        if (used.contains(entry.first))
             return false;
-        texels_.release(entry.second.offset, wordCount(*entry.second.image));
+        texels_.release(entry.second.offset, entry.second.words);
         return true;
     });
-    for (const ImagePtr& image : used)
-        if (auto ok = uploadPicture(context, image); !ok)
+    for (const PictureKey& key : used)
+        if (auto ok = uploadPicture(context, key); !ok)
             return ok;
     if (backgroundImage_ != scene.background.image.image) {
         backgroundImage_ = scene.background.image.image;
         backgroundImageMean_ = backgroundImage_ ? meanOverSphere(*backgroundImage_) : glm::dvec3(0.0);
     }
     std::vector<DeviceTexture> table;
-    for (auto& [image, picture] : pictures_) {
+    for (auto& [key, picture] : pictures_) {
+        const Image& image = *key.first;
+        const bool isFloat = image.bytes.empty();
         picture.index = static_cast<std::uint32_t>(table.size());
-        table.push_back({picture.offset, image->width, image->height, image->bytes.empty() ? 1u : 0u});
+        std::uint32_t offset = picture.offset;
+        for (const glm::ivec2& size : mipSizes(image.width, image.height)) {
+            table.push_back({offset, size.x, size.y, isFloat ? 1u : 0u});
+            offset +=
+                static_cast<std::uint32_t>(size.x) * static_cast<std::uint32_t>(size.y) * (isFloat ? 4u : 1u);
+        }
     }
     return textures_.assign(context, table, "textures");
 }
 
+void MaterialStore::setTextures(DeviceMaterial& out, const Material& material) const {
+    const std::array places{&out.baseColorTexture,         &out.emissionTexture,     &out.specularTexture,
+                            &out.metallicRoughnessTexture, &out.transmissionTexture, &out.normalTexture};
+    const auto used = usedTextures(material);
+    for (std::size_t i = 0; i < used.size(); ++i)
+        *places[i] = used[i].texture.image ? indexOf(used[i].texture, used[i].use) : PRIZMA_NO_TEXTURE;
+    // The checkerboard stands in for missing colours; other data that is missing changes nothing.
+    out.baseColorTexture = indexOf(used[0].texture, used[0].use);
+}
+
 Result<void> MaterialStore::updateMaterials(Context& context, const Scene& scene) {
     indexOfMaterial_.clear();
+    hasHoles_ = std::ranges::any_of(scene.materials, prizma::hasHoles);
     std::vector<DeviceMaterial> table;
     const auto append = [&](const Material& material) {
         DeviceMaterial out{};
@@ -195,16 +182,7 @@ Result<void> MaterialStore::updateMaterials(Context& context, const Scene& scene
         out.alphaCutoff = static_cast<float>(material.alphaCutoff);
         out.doubleSided = material.doubleSided ? 1 : 0;
         out.normalScale = static_cast<float>(material.normalScale);
-        // The checkerboard stands in for missing colours; other data that is missing changes nothing.
-        const auto dataIndex = [this](const Texture& texture) {
-            return texture.image ? indexOf(texture) : PRIZMA_NO_TEXTURE;
-        };
-        out.baseColorTexture = indexOf(material.baseColorTexture);
-        out.emissionTexture = dataIndex(material.emissionTexture);
-        out.specularTexture = dataIndex(material.specularTexture);
-        out.metallicRoughnessTexture = dataIndex(material.metallicRoughnessTexture);
-        out.transmissionTexture = dataIndex(material.transmissionTexture);
-        out.normalTexture = dataIndex(material.normalTexture);
+        setTextures(out, material);
         indexOfMaterial_[material.id] = static_cast<std::uint32_t>(table.size());
         table.push_back(out);
     };
@@ -214,24 +192,16 @@ Result<void> MaterialStore::updateMaterials(Context& context, const Scene& scene
     return materials_.assign(context, table, "materials");
 }
 
-Result<void> MaterialStore::updateLights(Context& context, const Scene& scene, const glm::dvec3& anchor) {
-    std::vector<DeviceLight> table;
-    for (const Light& light : scene.lights)
-        if (shines(light))
-            table.push_back(deviceLight(light, anchor));
-    lightCount_ = static_cast<std::uint32_t>(table.size());
-    return lights_.assign(context, table, "lights");
-}
-
 std::uint32_t MaterialStore::indexOf(Id material) const {
     const auto found = indexOfMaterial_.find(material);
     return found == indexOfMaterial_.end() ? 0 : found->second;
 }
 
-std::uint32_t MaterialStore::indexOf(const Texture& texture) const {
+std::uint32_t MaterialStore::indexOf(const Texture& texture, TexelUse use) const {
     if (!texture.isSet())
         return PRIZMA_NO_TEXTURE;
-    const auto found = pictures_.find(texture.image ? texture.image.get() : checkerboard_.get());
+    const auto found =
+        pictures_.find(texture.image ? keyOf(texture.image, use) : keyOf(checkerboard_, TexelUse::Color));
     return found == pictures_.end() ? PRIZMA_NO_TEXTURE : found->second.index;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/compute/arena.h"
+#include "core/render/mip_levels.h"
 #include "core/scene/scene.h"
 #include "kernels/device_types.h"
 
@@ -9,7 +10,7 @@
 
 namespace prizma {
 
-/// Materials, textures and lights on the device.
+/// Materials and textures on the device.
 class MaterialStore {
   public:
     /// Brings the pictures that materials and background use onto the device, each once, and drops the
@@ -19,14 +20,12 @@ class MaterialStore {
     /// The material table; textures are up to date.
     Result<void> updateMaterials(Context& context, const Scene& scene);
 
-    /// The lights that are on, relative to `anchor`.
-    Result<void> updateLights(Context& context, const Scene& scene, const glm::dvec3& anchor);
-
     /// Place of a material in the table; 0, a neutral grey, for an id that is not there.
     std::uint32_t indexOf(Id material) const;
 
-    /// Place of a texture in the table: PRIZMA_NO_TEXTURE for none, the checkerboard for one that is missing.
-    std::uint32_t indexOf(const Texture& texture) const;
+    /// Place of a texture's finest level in the table: PRIZMA_NO_TEXTURE for none, the checkerboard for one
+    /// that is missing. Its other levels follow.
+    std::uint32_t indexOf(const Texture& texture, TexelUse use = TexelUse::Color) const;
 
     /// Mean radiance of the background's image over all directions, without its intensity; 0 without an
     /// image.
@@ -35,26 +34,29 @@ class MaterialStore {
     const Buffer<DeviceMaterial>& materials() const { return materials_; }
     const Buffer<DeviceTexture>& textures() const { return textures_; }
     const Buffer<std::uint32_t>& texels() const { return texels_.buffer(); }
-    const Buffer<DeviceLight>& lights() const { return lights_; }
-    std::uint32_t lightCount() const { return lightCount_; }
+
+    /// Whether light may get past a surface of some material: through its alpha or from behind.
+    bool hasHoles() const { return hasHoles_; }
 
   private:
     struct Picture {
-        ImagePtr image;
         std::uint32_t offset = 0;
+        std::size_t words = 0;
         std::uint32_t index = 0;
     };
+    using PictureKey = std::pair<ImagePtr, TexelUse>;
 
-    Result<void> uploadPicture(Context& context, const ImagePtr& image);
+    static PictureKey keyOf(const ImagePtr& image, TexelUse use);
+    Result<void> uploadPicture(Context& context, const PictureKey& key);
     Result<void> uploadConstants(Context& context);
+    void setTextures(DeviceMaterial& out, const Material& material) const;
 
     Buffer<DeviceMaterial> materials_;
     Buffer<DeviceTexture> textures_;
     Arena<std::uint32_t> texels_{"textures"};
-    Buffer<DeviceLight> lights_;
-    std::uint32_t lightCount_ = 0;
+    bool hasHoles_ = false;
     std::unordered_map<Id, std::uint32_t> indexOfMaterial_;
-    std::map<const Image*, Picture> pictures_;
+    std::map<PictureKey, Picture> pictures_;
     glm::dvec3 backgroundImageMean_{0.0};
     ImagePtr backgroundImage_; ///< The image that the mean is of.
     ImagePtr checkerboard_;    ///< Stands in for pictures that are missing.

@@ -1,5 +1,7 @@
 #include "core/render/render_plan.h"
 
+#include "core/render/emissive_objects.h"
+
 #include <algorithm>
 
 namespace prizma {
@@ -124,14 +126,25 @@ void planTables(const SceneDiff& changes, PlanBuilder& plan) {
     }
     if (changes.lights) {
         plan.need(Stage::Lights, "light changed");
+        plan.need(Stage::LightTree, "light changed");
         plan.restart("light changed");
     }
-    if (changes.background)
+    if (changes.background) {
+        plan.need(Stage::Background, "background changed");
         plan.restart("background changed");
+    }
     if (changes.settings)
         plan.restart("shader changed");
     if (changes.camera)
         plan.restart("camera moved");
+}
+
+/// Emissive objects are lights.
+void planEmitters(const Scene& before, const Scene& next, PlanBuilder& plan) {
+    if (before.objects.shares(next.objects) && before.materials.shares(next.materials))
+        return;
+    if (emissiveObjects(before) != emissiveObjects(next))
+        plan.need(Stage::LightTree, "emissive object changed");
 }
 
 void planEverything(const Scene& next, PlanBuilder& plan) {
@@ -139,7 +152,8 @@ void planEverything(const Scene& next, PlanBuilder& plan) {
     const auto drawn = drawnIds(next);
     if (!drawn.empty())
         plan.need(Stage::Geometry, why, drawn);
-    for (const Stage stage : {Stage::Textures, Stage::Materials, Stage::Lights, Stage::TopLevel})
+    for (const Stage stage : {Stage::Textures, Stage::Materials, Stage::Lights, Stage::TopLevel,
+                              Stage::LightTree, Stage::Background})
         plan.need(stage, why);
     plan.restart(why);
 }
@@ -168,6 +182,10 @@ std::string describe(Stage stage) {
         return "RefitTreeShader";
     case Stage::TopLevel:
         return "Top level";
+    case Stage::LightTree:
+        return "Light tree";
+    case Stage::Background:
+        return "Background";
     case Stage::GenerateCameraRays:
         return "GenerateCameraRays";
     case Stage::RayShader:
@@ -209,9 +227,11 @@ RenderPlan makePlan(const DeviceState& held, const Scene& next, int width, int h
         planTables(changes, plan);
         planPoses(held, next, changes, plan);
         planTopLevel(*held.scene, next, changes, plan);
+        planEmitters(*held.scene, next, plan);
         if (result.anchor != held.anchor) {
             plan.need(Stage::Lights, "camera went far");
             plan.need(Stage::TopLevel, "camera went far");
+            plan.need(Stage::LightTree, "camera went far");
             plan.restart("camera went far");
         }
         exposureChanged = changes.exposure;

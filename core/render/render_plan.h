@@ -24,6 +24,8 @@ enum class Stage {
     TriangleShader,     ///< Put their triangles into the leaves.
     RefitTreeShader,    ///< Refit their trees.
     TopLevel,           ///< Upload the instances and build the tree over them.
+    LightTree,          ///< Build the tree over lights and emissive triangles.
+    Background,         ///< Make the table that the background's picture is sampled with.
     GenerateCameraRays, ///< And find their first hits.
     RayShader,
     Display, ///< Tone mapping.

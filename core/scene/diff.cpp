@@ -64,7 +64,8 @@ bool texturesDiffer(const CowList<Material>& before, const CowList<Material>& af
     if (before.size() != after.size())
         return true;
     for (std::size_t i = 0; i < before.size(); ++i)
-        if (before[i].id != after[i].id || texturesOf(before[i]) != texturesOf(after[i]))
+        if (before[i].id != after[i].id || texturesOf(before[i]) != texturesOf(after[i]) ||
+            before[i].alphaMode != after[i].alphaMode) // which decides how textures are filtered
             return true;
     return false;
 }

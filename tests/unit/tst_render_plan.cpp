@@ -97,7 +97,8 @@ void RenderPlanTest::firstPictureNeedsEverything() {
     QVERIFY(plan.restarts);
     QCOMPARE(stagesOf(plan),
              then({Stage::Geometry, Stage::Textures, Stage::Materials, Stage::Lights, Stage::Poses,
-                   Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader, Stage::TopLevel}));
+                   Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader, Stage::TopLevel,
+                   Stage::LightTree, Stage::Background}));
     QCOMPARE(plan.find(Stage::Geometry)->objects.size(), 3u);
     QCOMPARE(plan.find(Stage::Poses)->objects, std::vector<Id>{scene.objects[2].id});
 }
@@ -131,7 +132,7 @@ void RenderPlanTest::lightTouchesLightsOnly() {
     const Scene before = makeScene();
     Scene after = before;
     after.lights.edit()[0].intensity = 7.0;
-    QCOMPARE(stagesOf(planAfter(before, after)), then({Stage::Lights}));
+    QCOMPARE(stagesOf(planAfter(before, after)), then({Stage::Lights, Stage::LightTree}));
 }
 
 void RenderPlanTest::exposureTouchesDisplayOnly() {
@@ -329,7 +330,7 @@ void RenderPlanTest::farCameraMovesTheAnchor() {
     after.camera.target += glm::dvec3(1e6);
     const RenderPlan plan = planAfter(before, after);
     QCOMPARE(plan.anchor, after.camera.position);
-    QCOMPARE(stagesOf(plan), then({Stage::Lights, Stage::TopLevel}));
+    QCOMPARE(stagesOf(plan), then({Stage::Lights, Stage::TopLevel, Stage::LightTree}));
 }
 
 void RenderPlanTest::orbitingKeepsTheAnchor() {

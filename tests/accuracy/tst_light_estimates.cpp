@@ -284,8 +284,8 @@ void LightEstimatesTest::pictureLightsAsItsIntegral() {
         s.normal = random.direction();
         const int width = round == 0 ? 1 : 12;
         const int height = round == 0 ? 1 : 7;
-        const ImagePtr image =
-            floatImage(width, height, [&](int, int) { return std::pow(random.uniform(), 8.0) * 20.0; });
+        const ImagePtr image = floatImage(
+            width, height, [&](int, int) { return 0.01 + std::pow(random.uniform(), 8.0) * 20.0; });
         s.scene.background.image = {"sky.exr", image};
         s.scene.background.intensity = 0.7;
         s.scene.background.rotation = 90.0 * round + 13.0;
@@ -349,7 +349,7 @@ void LightEstimatesTest::posedMeshLightsFromWhereItIs() {
                 s.irradiance += 3.0 * polygonIrradiance(seen, s.normal);
             }
             const Mean mean = meanOf(s, 50000, random);
-            QVERIFY2(std::abs(mean.value() - s.irradiance) < 4.5 * mean.error() + 1e-4 * s.irradiance,
+            QVERIFY2(std::abs(mean.value() - s.irradiance) <= 4.5 * mean.error() + 1e-4 * s.irradiance,
                      qPrintable(
                          QString("%1 +- %2, not %3").arg(mean.value()).arg(mean.error()).arg(s.irradiance)));
         }
@@ -474,7 +474,7 @@ void LightEstimatesTest::manyLightsAreChosenByImportance() {
         qInfo("%d lights: relative variance %.3g, evenly chosen %.3g; %.0f ns a sample", lights, byTree,
               evenly, cost);
         if (lights >= 100)
-            QVERIFY(byTree < 0.2 * evenly);
+            QVERIFY(byTree < 0.05 * evenly);
     }
 }
 

@@ -28,6 +28,13 @@ typedef std::int32_t DeviceInt;
 // Linear values up to here (2^-13) are byte 0 in sRGB.
 #define PRIZMA_SRGB_SMALLEST 0.0001220703125f
 
+// Between these (2^-13 and 2^5) the filmic curve goes from black to white.
+#define PRIZMA_FILMIC_SMALLEST 0.0001220703125f
+#define PRIZMA_FILMIC_LARGEST 32.0f
+
+// Places beside a row of the denoiser's planes: as far as its widest step reads.
+#define PRIZMA_DENOISE_MARGIN 32
+
 // Wide8: boxes of eight children as lowX, highX, lowY, highY, lowZ, highZ. A missing child has an inside-out box.
 typedef struct {
     float bounds[6][8];
@@ -274,6 +281,16 @@ typedef struct {
     DeviceUint nodeBase;
 } DeviceRefitEntry;
 
+// What a work group of RayShader (or a packet of sixteen pixels) did in one pass. `times` are in ticks of the processor's
+// clock, of the few packets that look at it: see packet_work.clh.
+typedef struct {
+    DeviceUint shadowRays;
+    DeviceUint secondaryRays;
+    DeviceUint nonFinite; // pixels whose sample was not a number or infinite: counted, and left out of the sum
+    DeviceUint times[6];
+    DeviceUint padding;
+} DeviceWork;
+
 #ifndef __OPENCL_VERSION__
 static_assert(sizeof(WideNode) == 224);
 static_assert(sizeof(WideLeaf) == 320);
@@ -298,6 +315,7 @@ static_assert(sizeof(DeviceMorphOffset) == 32);
 static_assert(sizeof(DeviceVertexBlock) == 20);
 static_assert(sizeof(DeviceTreeBlock) == 20);
 static_assert(sizeof(DeviceRefitEntry) == 8);
+static_assert(sizeof(DeviceWork) == 40);
 } // namespace prizma
 #endif
 

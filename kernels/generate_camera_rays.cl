@@ -1,6 +1,5 @@
-// GenerateCameraRays: one ray a pixel from an exact pinhole, through a place inside the pixel.
-#include "math.clh"
-#include "pixel_order.clh"
+// GenerateCameraRays: one ray a pixel (camera.clh).
+#include "camera.clh"
 
 kernel void generateCameraRays(DeviceView view, global DeviceRay* rays) {
     uint launched = get_global_id(0);
@@ -8,13 +7,8 @@ kernel void generateCameraRays(DeviceView view, global DeviceRay* rays) {
         return;
     uint index = view.firstPixel + launched;
     int2 pixel = pixelAt(index, view.width);
-    float x = ((float)pixel.x + view.jitter[0]) / (float)view.width * 2.0f - 1.0f;
-    float y = 1.0f - ((float)pixel.y + view.jitter[1]) / (float)view.height * 2.0f;
     global DeviceRay* ray = rays + index;
-    float3 forward = (float3)(view.forward[0], view.forward[1], view.forward[2]);
-    float3 right = (float3)(view.right[0], view.right[1], view.right[2]);
-    float3 up = (float3)(view.up[0], view.up[1], view.up[2]);
-    float3 direction = normalize(forward + right * x + up * y);
+    float3 direction = cameraDirection(&view, pixel);
     bool inside = pixel.x < view.width && pixel.y < view.height;
     ray->origin[0] = view.origin[0];
     ray->origin[1] = view.origin[1];

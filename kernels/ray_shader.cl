@@ -1,5 +1,6 @@
 // RayShader: turns each pixel's camera ray and its first hit into radiance and adds it to the pixel's sum.
-// PRIZMA_VIEW is 0 for Whitted, 1 for Path, else one of the views.
+// PRIZMA_VIEW is 0 for Whitted, 1 for Path, else one of the views. With PRIZMA_PACKETS a work item does sixteen pixels,
+// camera rays and all.
 #include "pixel_order.clh"
 
 #if PRIZMA_VIEW == 7
@@ -16,38 +17,72 @@
 #include "shader_views.clh"
 #endif
 
-// Adds without losing what a large sum would round away (Kahan 1965): 100,000 samples stay exact to a few ulp.
-inline void accumulate(global float4* sum, global float4* lost, float4 value, bool first) {
-    float4 oldSum = first ? (float4)(0.0f) : *sum;
-    float4 corrected = value - (first ? (float4)(0.0f) : *lost);
-    float4 newSum = oldSum + corrected;
-    *lost = (newSum - oldSum) - corrected;
-    *sum = newSum;
-}
+#ifdef PRIZMA_PACKETS
 
-// `rayCounts` gets each pixel's shadow rays in the lower half and its secondary rays in the upper.
-kernel void rayShader(SCENE_PARAMETERS, DeviceView view, DeviceShading shading, const global DeviceRay* rays,
-                      const global DeviceHit* hits, global float4* sums, global float4* losses, global uint* rayCounts) {
-    uint launched = get_global_id(0);
+#if PRIZMA_VIEW == 0
+#include "packet_whitted.clh"
+#else
+#include "packet_path.clh"
+#endif
+#include "shade_packet.clh"
+
+kernel void rayShaderPacket(SCENE_PARAMETERS, DeviceView view, DeviceShading shading, global float4* sums,
+                            global float4* losses, global DeviceWork* work) {
+    uint launched = (uint)get_global_id(0) * PACKET;
     if (launched >= view.pixelCount)
         return;
     uint index = view.firstPixel + launched;
-    int2 pixel = pixelAt(index, view.width);
-    if (pixel.x >= view.width || pixel.y >= view.height) {
-        rayCounts[index] = 0;
-        return;
-    }
     Scene scene = SCENE;
-#ifdef PRIZMA_COUNT_STEPS
-    uint steps = 0;
-    scene.steps = &steps;
-#endif
-    Frame frame = {shading, view.seed, view.sample, index, 0, 0};
-    Ray ray = loadRay(rays + index);
-    giveCameraCone(&ray, &view);
-    DeviceHit hit = hits[index];
-    float3 radiance = shade(&scene, &frame, ray, hit);
-    float alpha = hit.instance == PRIZMA_NO_HIT ? 0.0f : 1.0f;
-    accumulate(sums + index, losses + index, (float4)(radiance, alpha), view.sample == 0);
-    rayCounts[index] = min(frame.shadowRays, 65535u) | (min(frame.secondaryRays, 65535u) << 16);
+    shadePacket(&scene, &view, &shading, index, sums, losses, work + index / PACKET);
 }
+
+#else
+
+#include "accumulate.clh"
+
+// Radiance and coverage of a pixel; counts what it took into `total`, which the work group shares.
+inline void shadePixel(const Scene* scene, Frame* frame, Ray ray, DeviceHit hit, global float4* sum,
+                       global float4* loss, local uint* total) {
+    float3 radiance = shade(scene, frame, ray, hit);
+    if (!allFinite(radiance)) { // would stay in the sum for ever
+        radiance = (float3)(0.0f);
+        atomic_inc(total + 2);
+    }
+    float alpha = hit.instance == PRIZMA_NO_HIT ? 0.0f : 1.0f;
+    accumulate(sum, loss, (float4)(radiance, alpha), frame->sample == 0);
+    if (frame->shadowRays != 0)
+        atomic_add(total, frame->shadowRays);
+    if (frame->secondaryRays != 0)
+        atomic_add(total + 1, frame->secondaryRays);
+}
+
+// `work` gets the counts of each work group.
+kernel void rayShader(SCENE_PARAMETERS, DeviceView view, DeviceShading shading, const global DeviceRay* rays,
+                      const global DeviceHit* hits, global float4* sums, global float4* losses,
+                      global DeviceWork* work) {
+    local uint total[3];
+    if (get_local_id(0) == 0)
+        total[0] = total[1] = total[2] = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    uint launched = get_global_id(0);
+    uint index = view.firstPixel + launched;
+    int2 pixel = pixelAt(index, view.width);
+    if (launched < view.pixelCount && pixel.x < view.width && pixel.y < view.height) {
+        Scene scene = SCENE;
+#ifdef PRIZMA_COUNT_STEPS
+        uint steps = 0;
+        scene.steps = &steps;
+#endif
+        Frame frame = {shading, view.seed, view.sample, index, 0, 0};
+        Ray ray = loadRay(rays + index);
+        giveCameraCone(&ray, &view);
+        shadePixel(&scene, &frame, ray, hits[index], sums + index, losses + index, total);
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (get_local_id(0) == 0) {
+        DeviceWork counts = {total[0], total[1], total[2], {0, 0, 0, 0, 0, 0}, 0};
+        work[view.firstPixel / (uint)get_local_size(0) + get_group_id(0)] = counts;
+    }
+}
+
+#endif

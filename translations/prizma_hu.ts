@@ -172,6 +172,10 @@ sudo apt install pocl-opencl-icd</translation>
                 <numerusform>%n képkocka készül.</numerusform>
             </translation>
         </message>
+        <message>
+            <source>PNG pictures of 16 bits a channel</source>
+            <translation>PNG-képek, csatornánként 16 bit</translation>
+        </message>
     </context>
     <context>
         <name>prizma::AnimationExporter</name>
@@ -513,6 +517,14 @@ sudo apt install pocl-opencl-icd</translation>
             <source>Render the frames of the timeline into pictures or a video</source>
             <translation>Az idővonal képkockái képekbe vagy videóba</translation>
         </message>
+        <message>
+            <source>&amp;Export Image…</source>
+            <translation>&amp;Kép mentése…</translation>
+        </message>
+        <message>
+            <source>Save the picture that is in the view</source>
+            <translation>A látható kép mentése</translation>
+        </message>
     </context>
     <context>
         <name>prizma::ExportProgressDialog</name>
@@ -600,14 +612,6 @@ sudo apt install pocl-opencl-icd</translation>
             <translation>Modellek hozzáadása a jelenethez</translation>
         </message>
         <message>
-            <source>&amp;Export Image…</source>
-            <translation>&amp;Kép mentése…</translation>
-        </message>
-        <message>
-            <source>Save the picture that is in the view</source>
-            <translation>A látható kép mentése</translation>
-        </message>
-        <message>
             <source>&amp;Quit</source>
             <translation>Ki&amp;lépés</translation>
         </message>
@@ -634,30 +638,6 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>Import Models</source>
             <translation>Modellek importálása</translation>
-        </message>
-        <message>
-            <source>There Is No Picture Yet</source>
-            <translation>Még nincs kép</translation>
-        </message>
-        <message>
-            <source>Nothing has been rendered so far.</source>
-            <translation>Eddig semmi sem készült el.</translation>
-        </message>
-        <message>
-            <source>Export the Picture</source>
-            <translation>Kép mentése</translation>
-        </message>
-        <message>
-            <source>PNG pictures (*.png)</source>
-            <translation>PNG képek (*.png)</translation>
-        </message>
-        <message>
-            <source>Writing %1…</source>
-            <translation>%1 írása…</translation>
-        </message>
-        <message>
-            <source>The picture was saved.</source>
-            <translation>A kép elmentve.</translation>
         </message>
         <message>
             <source>Import A&amp;nimation…</source>
@@ -713,6 +693,37 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>A scene editor whose view is ray traced live, on any OpenCL device.&lt;br&gt;&lt;br&gt;It grew out of Zoltán Erdős’ thesis “Valós idejű sugárkövetés” (real-time ray tracing, 2019).</source>
             <translation>Jelenetszerkesztő, amelynek képe valós idejű sugárkövetéssel készül, bármely OpenCL-eszközön.&lt;br&gt;&lt;br&gt;Erdős Zoltán „Valós idejű sugárkövetés” című szakdolgozatából (2019) nőtt ki.</translation>
+        </message>
+    </context>
+    <context>
+        <name>prizma::ImageExporter</name>
+        <message>
+            <source>Export the Picture</source>
+            <translation>A kép mentése</translation>
+        </message>
+        <message>
+            <source>PNG, 8 bits a channel (*.png)</source>
+            <translation>PNG, csatornánként 8 bit (*.png)</translation>
+        </message>
+        <message>
+            <source>PNG, 16 bits a channel (*.png)</source>
+            <translation>PNG, csatornánként 16 bit (*.png)</translation>
+        </message>
+        <message>
+            <source>OpenEXR, linear, 32 bits a channel (*.exr)</source>
+            <translation>OpenEXR, lineáris, csatornánként 32 bit (*.exr)</translation>
+        </message>
+        <message>
+            <source>Writing %1…</source>
+            <translation>%1 írása…</translation>
+        </message>
+        <message>
+            <source>The picture was saved, with 1 sample a pixel.</source>
+            <translation>A kép elmentve, képpontonként 1 mintával.</translation>
+        </message>
+        <message>
+            <source>The picture was saved, with %1 samples a pixel.</source>
+            <translation>A kép elmentve, képpontonként %1 mintával.</translation>
         </message>
     </context>
     <context>
@@ -1356,6 +1367,14 @@ sudo apt install pocl-opencl-icd</translation>
                 <numerusform>%n tárgy</numerusform>
             </translation>
         </message>
+        <message>
+            <source>denoised preview</source>
+            <translation>zajszűrt előnézet</translation>
+        </message>
+        <message>
+            <source>Pixels without a number</source>
+            <translation>Szám nélküli képpontok</translation>
+        </message>
     </context>
     <context>
         <name>prizma::StatusBar</name>
@@ -1380,8 +1399,16 @@ sudo apt install pocl-opencl-icd</translation>
             <translation>%1…</translation>
         </message>
         <message>
-            <source>Samples %1/%2</source>
-            <translation>Minta: %1/%2</translation>
+            <source>%1 of %2 samples</source>
+            <translation>%1/%2 minta</translation>
+        </message>
+        <message>
+            <source>Denoised preview</source>
+            <translation>Zajszűrt előnézet</translation>
+        </message>
+        <message>
+            <source>The picture in the view is smoothed; files are written as it is</source>
+            <translation>A nézet képe simított; a fájlokba simítás nélkül kerül</translation>
         </message>
     </context>
     <context>
@@ -1553,6 +1580,18 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>Show the bones of what is selected, or of everything, over the view</source>
             <translation>A kijelöltek vagy minden csontjai a képen</translation>
+        </message>
+        <message>
+            <source>&amp;Denoise Preview</source>
+            <translation>&amp;Zajszűrt előnézet</translation>
+        </message>
+        <message>
+            <source>Smooth the picture in the view along surfaces; files stay as they are</source>
+            <translation>A nézet képének simítása a felületek mentén; a fájlok nem változnak</translation>
+        </message>
+        <message>
+            <source>&amp;Colours</source>
+            <translation>S&amp;zínek</translation>
         </message>
     </context>
     <context>
@@ -2094,6 +2133,238 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>ffmpeg, which makes the videos, is not installed</source>
             <translation>nincs telepítve az ffmpeg, amely a videókat készíti</translation>
+        </message>
+        <message>
+            <source>Placement</source>
+            <translation>Elhelyezés</translation>
+        </message>
+        <message>
+            <source>Animation</source>
+            <translation>Animáció</translation>
+        </message>
+        <message>
+            <source>Shapes</source>
+            <translation>Alakok</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Fény</translation>
+        </message>
+        <message>
+            <source>Holes</source>
+            <translation>Lyukak</translation>
+        </message>
+        <message>
+            <source>Reflection</source>
+            <translation>Tükrözés</translation>
+        </message>
+        <message>
+            <source>Glass</source>
+            <translation>Üveg</translation>
+        </message>
+        <message>
+            <source>Relief</source>
+            <translation>Domborzat</translation>
+        </message>
+        <message>
+            <source>Lens</source>
+            <translation>Lencse</translation>
+        </message>
+        <message>
+            <source>Display</source>
+            <translation>Megjelenítés</translation>
+        </message>
+        <message>
+            <source>The camera sees the light itself, not only what it lights.</source>
+            <translation>A kamera magát a fényt is látja, nemcsak azt, amit megvilágít.</translation>
+        </message>
+        <message>
+            <source>Alpha mode</source>
+            <translation>Alfa módja</translation>
+        </message>
+        <message>
+            <source>Blend mixes, Mask cuts holes, Opaque takes no notice of alpha.</source>
+            <translation>A Keverés átereszt, a Maszk lyukat vág, az Átlátszatlan nem törődik az alfával.</translation>
+        </message>
+        <message>
+            <source>Alpha cut-off</source>
+            <translation>Alfa határa</translation>
+        </message>
+        <message>
+            <source>Below it there is a hole.</source>
+            <translation>Ez alatt lyuk van.</translation>
+        </message>
+        <message>
+            <source>Double-sided</source>
+            <translation>Kétoldalas</translation>
+        </message>
+        <message>
+            <source>Otherwise the surface is not there when seen from behind.</source>
+            <translation>Különben a felület hátulról nézve nincs ott.</translation>
+        </message>
+        <message>
+            <source>Specular colour</source>
+            <translation>Tükrözés színe</translation>
+        </message>
+        <message>
+            <source>Tints the reflection of a non-metal; linear RGB.</source>
+            <translation>A nem fémes tükrözés árnyalata; lineáris RGB.</translation>
+        </message>
+        <message>
+            <source>Specular texture</source>
+            <translation>Tükrözés textúrája</translation>
+        </message>
+        <message>
+            <source>Its alpha multiplies the specular strength.</source>
+            <translation>Az alfája szorozza a tükrözés erősségét.</translation>
+        </message>
+        <message>
+            <source>Metallic and roughness texture</source>
+            <translation>Fémesség és érdesség textúrája</translation>
+        </message>
+        <message>
+            <source>Its blue multiplies metallic, its green roughness.</source>
+            <translation>A kékje a fémességet, a zöldje az érdességet szorozza.</translation>
+        </message>
+        <message>
+            <source>Transmission texture</source>
+            <translation>Áteresztés textúrája</translation>
+        </message>
+        <message>
+            <source>Its red multiplies the transmission.</source>
+            <translation>A vöröse szorozza az áteresztést.</translation>
+        </message>
+        <message>
+            <source>Absorption colour</source>
+            <translation>Elnyelés színe</translation>
+        </message>
+        <message>
+            <source>What is left of white light after the absorption distance inside.</source>
+            <translation>Ami a fehér fényből az elnyelési távolság után belül megmarad.</translation>
+        </message>
+        <message>
+            <source>Absorption distance</source>
+            <translation>Elnyelési távolság</translation>
+        </message>
+        <message>
+            <source>How far light goes inside until it has the absorption colour; 0: nothing is absorbed.</source>
+            <translation>Amennyit a fény belül megtesz, amíg ilyen színű lesz; 0: semmi sem nyelődik el.</translation>
+        </message>
+        <message>
+            <source>Emission texture</source>
+            <translation>Kibocsátás textúrája</translation>
+        </message>
+        <message>
+            <source>Normal strength</source>
+            <translation>Normálok ereje</translation>
+        </message>
+        <message>
+            <source>How far the normal map bends the normal; 1 is as painted.</source>
+            <translation>Mennyire hajlítja a normáltérkép a normálist; 1: ahogy megfestették.</translation>
+        </message>
+        <message>
+            <source>Lens radius</source>
+            <translation>Lencse sugara</translation>
+        </message>
+        <message>
+            <source>Blurs what is out of focus (shader Path); 0 is a pinhole.</source>
+            <translation>Elmossa, ami nem éles (Útkövetés árnyaló); 0: lyukkamera.</translation>
+        </message>
+        <message>
+            <source>Focus distance</source>
+            <translation>Élesség távolsága</translation>
+        </message>
+        <message>
+            <source>How far away things are sharp; 0: at the target.</source>
+            <translation>Milyen messze éles a kép; 0: a célpontnál.</translation>
+        </message>
+        <message>
+            <source>Path</source>
+            <translation>Útkövetés</translation>
+        </message>
+        <message>
+            <source>Materials</source>
+            <translation>Anyagok</translation>
+        </message>
+        <message>
+            <source>Objects</source>
+            <translation>Tárgyak</translation>
+        </message>
+        <message>
+            <source>Standard (sRGB)</source>
+            <translation>Szokásos (sRGB)</translation>
+        </message>
+        <message>
+            <source>Filmic</source>
+            <translation>Filmszerű</translation>
+        </message>
+        <message>
+            <source>Blend</source>
+            <translation>Keverés</translation>
+        </message>
+        <message>
+            <source>Mask</source>
+            <translation>Maszk</translation>
+        </message>
+        <message>
+            <source>Opaque</source>
+            <translation>Átlátszatlan</translation>
+        </message>
+        <message>
+            <source>Y up</source>
+            <translation>Y felfelé</translation>
+        </message>
+        <message>
+            <source>Z up</source>
+            <translation>Z felfelé</translation>
+        </message>
+        <message>
+            <source>Turns the image about the vertical axis.</source>
+            <translation>A függőleges tengely körül forgatja a képet.</translation>
+        </message>
+        <message>
+            <source>How often light may bounce; Whitted follows 6 bounces at most.</source>
+            <translation>Ahányszor a fény visszaverődhet; a Whitted legfeljebb 6-ot követ.</translation>
+        </message>
+        <message>
+            <source>Transparent shadows</source>
+            <translation>Átlátszó árnyékok</translation>
+        </message>
+        <message>
+            <source>Glass lets light straight through in its shadow.</source>
+            <translation>Az üveg az árnyékában egyenesen átengedi a fényt.</translation>
+        </message>
+        <message>
+            <source>Firefly limit</source>
+            <translation>Kiugró minták határa</translation>
+        </message>
+        <message>
+            <source>Brightest radiance that one indirect sample may add; 0: no limit. Darkens the picture.</source>
+            <translation>A legfényesebb érték, amit egy közvetett minta hozzáadhat; 0: nincs határ. Sötétíti a képet.</translation>
+        </message>
+        <message>
+            <source>Seed</source>
+            <translation>Mag</translation>
+        </message>
+        <message>
+            <source>Another number, other noise.</source>
+            <translation>Más szám, más zaj.</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>Színek</translation>
+        </message>
+        <message>
+            <source>How radiance becomes colours of the screen; EXR files stay linear.</source>
+            <translation>Hogyan lesz a fényből a képernyő színe; az EXR-fájlok lineárisak maradnak.</translation>
+        </message>
+        <message>
+            <source>Denoise preview</source>
+            <translation>Zajszűrt előnézet</translation>
+        </message>
+        <message>
+            <source>Smooths the picture on the screen along surfaces; files stay as they are.</source>
+            <translation>A képernyő képét a felületek mentén simítja; a fájlok nem változnak.</translation>
         </message>
     </context>
 </TS>

@@ -27,6 +27,7 @@ struct RenderArguments {
     std::string frames;
     std::vector<std::string> assignments;
     std::string video;
+    int depth = 8;
     bool overwrite = false, statistics = false, json = false;
 };
 
@@ -38,6 +39,27 @@ Result<std::pair<int, int>> parseFrames(const std::string& text) {
     if (std::sscanf(text.c_str(), "%d-%d%c", &first, &last, &rest) != 2 || last < first)
         return failure("--frames wants FIRST-LAST, for example 0-24, not \"" + text + "\"");
     return std::pair(first, last);
+}
+
+nlohmann::ordered_json toJson(const PassTimes& t) {
+    return {{"generate", t.generate},    {"trace", t.trace}, {"shadow", t.shadow},
+            {"single", t.single},        {"shade", t.shade}, {"accumulate", t.accumulate},
+            {"estimated", t.isEstimated}};
+}
+
+/// Where the time of the samples went.
+void printPassTimes(const PassTimes& t) {
+    if (t.isEstimated)
+        fmt::print(
+            "of trace and shade, as one packet of 16 pixels in 61 saw it: camera rays {:.0f} ms, their hits "
+            "{:.0f}, shadow rays {:.0f}, surfaces and lights {:.0f}, pixels finished one by one {:.0f}, "
+            "adding "
+            "up {:.0f}\n",
+            t.generate, t.trace, t.shadow, t.shade, t.single, t.accumulate);
+    else
+        fmt::print(
+            "of trace and shade: camera rays {:.0f} ms, their hits {:.0f}, RayShader with its rays {:.0f}\n",
+            t.generate, t.trace, t.shade);
 }
 
 nlohmann::ordered_json toJson(const OfflinePicture& p, const std::string& device, const std::string& file) {
@@ -57,7 +79,8 @@ nlohmann::ordered_json toJson(const OfflinePicture& p, const std::string& device
           {"upload", t.upload},
           {"refit", t.refit},
           {"trace", t.trace},
-          {"shade", t.shade}}},
+          {"shade", t.shade},
+          {"pass", toJson(p.passTimes)}}},
         {"rays", {{"camera", p.rays.camera}, {"shadow", p.rays.shadow}, {"secondary", p.rays.secondary}}}};
 }
 
@@ -72,6 +95,8 @@ void printStatistics(const OfflinePicture& p, const std::string& device) {
     fmt::print("{} camera, {} shadow and {} secondary rays: {:.1f} million a second\n", p.rays.camera,
                p.rays.shadow, p.rays.secondary,
                static_cast<double>(p.rays.total()) / std::max(seconds, 1e-9) * 1e-6);
+    printPassTimes(p.passTimes);
+    fmt::print("{} pixels that were no numbers\n", p.nonFinitePixels);
 }
 
 Result<Scene> prepareScene(const RenderArguments& arguments) {
@@ -153,10 +178,13 @@ void renderFrames(Renderer& renderer, const Scene& scene, const RenderArguments&
         makeVideo(options, arguments, fps);
 }
 
-void run(const RenderArguments& arguments) {
+void run(RenderArguments& arguments) {
     const std::string extension = lowerExtension(arguments.output);
     if (extension != "png" && extension != "exr")
         fail({Severity::Error, "the output must end in .png or .exr", arguments.output, 0});
+    if (arguments.depth == 16 && extension == "exr")
+        fail({Severity::Error, "--depth is for PNG: an EXR file has 32 bits a channel", arguments.output, 0});
+    arguments.options.deep = arguments.depth == 16;
     auto scene = prepareScene(arguments);
     if (!scene)
         fail(scene.error());
@@ -183,7 +211,13 @@ void addRenderCommand(CLI::App& app) {
         ->add_option("files", a->files,
                      "A .prizma project, or a model; animations may follow that belong to it")
         ->required();
-    command->add_option("-o,--output", a->output, "Picture to write: .png or .exr")->required();
+    command
+        ->add_option("-o,--output", a->output,
+                     "Picture to write: .png (exposure and view transform applied, sRGB) or .exr (linear)")
+        ->required();
+    command->add_option("--depth", a->depth, "Bits a channel of a PNG file: 8 or 16")
+        ->check(CLI::IsMember({8, 16}))
+        ->capture_default_str();
     command->add_option("--width", a->options.width, "Pixels across")
         ->check(CLI::Range(1, 32768))
         ->capture_default_str();
@@ -206,7 +240,8 @@ void addRenderCommand(CLI::App& app) {
     command->add_flag("--overwrite", a->overwrite, "Render frames whose file is there, too")->needs(frames);
     command->add_option("--video", a->video, "Then make a video of the frames with ffmpeg: .mp4 or .webm")
         ->needs(frames);
-    command->add_option("--shader", a->shader, "whitted, path, normals, texcoords, depth, material, object or cost");
+    command->add_option("--shader", a->shader,
+                        "whitted, path, normals, texcoords, depth, material, object or cost");
     command->add_option("--device", a->device, "OpenCL device, as \"devices\" lists it");
     command->add_option("--up", a->upAxis, "Up axis of a bare model; without: what is usual for the format")
         ->check(CLI::IsMember({"y", "z"}));

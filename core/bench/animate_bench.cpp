@@ -21,10 +21,10 @@ std::vector<const Object*> posedObjects(const Scene& scene) {
     return posed;
 }
 
-/// Milliseconds of each stage of the renderer's last plan.
-std::map<std::string, double> stageTimes(Renderer& renderer) {
+/// Milliseconds of each stage of the renderer's last plan; `drawn`: with its pass.
+std::map<std::string, double> stageTimes(Renderer& renderer, bool drawn) {
     std::map<std::string, double> times;
-    for (const StageStatistics& entry : renderer.statistics(false).stages)
+    for (const StageStatistics& entry : renderer.statistics(drawn).stages)
         times[entry.stage] = entry.milliseconds;
     return times;
 }
@@ -111,7 +111,7 @@ Result<AnimateReport> benchAnimate(const Scene& measured, const AnimateBenchOpti
         for (const double seconds : {0.11 * i - 0.05, 0.11 * i})
             if (auto ok = bringTo(**renderer, scene, seconds); !ok)
                 return std::unexpected(ok.error());
-        const auto times = stageTimes(**renderer);
+        const auto times = stageTimes(**renderer, false);
         double embreeTime = 0.0;
         if (embree) {
             const auto refitted = refitWithEmbree(**renderer, *embree, objects);
@@ -169,7 +169,7 @@ Result<PlayReport> benchPlay(const Scene& played, const PlayBenchOptions& option
         if (i < warmUp)
             continue;
         times.push_back(time);
-        for (const auto& [stage, milliseconds] : stageTimes(**renderer))
+        for (const auto& [stage, milliseconds] : stageTimes(**renderer, true))
             samples[stage].push_back(milliseconds);
         const PlannedStage* posed = plan.find(Stage::VertexShader);
         const std::size_t count = posed ? posed->objects.size() : 0;

@@ -38,6 +38,7 @@ void CL_CALLBACK freePages(cl_mem, void* pages) {
 } // namespace
 
 ClMemory createMemory(Context& context, std::size_t bytes, cl_int& code) {
+    bytes += 16; // kernels may load the last three floats as four
     HostMemory pages = context.info().type == DeviceType::Cpu ? allocateLargePages(bytes) : nullptr;
     if (pages) {
         ClMemory memory(clCreateBuffer(context.context(), CL_MEM_READ_WRITE | CL_MEM_USE_HOST_PTR, bytes,

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <memory>
 
-// The one place where these libraries are compiled; their own code is not held to our warnings.
+// The one place where this library is compiled; its own code is not held to our warnings.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wshadow"
@@ -20,9 +20,6 @@
 #define STB_IMAGE_STATIC
 #define STBI_MAX_DIMENSIONS 16384
 #include <stb/stb_image.h>
-#define STB_IMAGE_WRITE_IMPLEMENTATION
-#define STB_IMAGE_WRITE_STATIC
-#include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
 namespace prizma {
@@ -153,13 +150,6 @@ bool isExr(std::string_view content) {
     return content.starts_with("\x76\x2f\x31\x01");
 }
 
-template <class T>
-Result<void> checkPixels(const std::string& file, int width, int height, const std::vector<T>& pixels) {
-    if (width <= 0 || height <= 0 || pixels.size() != valueCount(width, height))
-        return failure("The picture's size does not match its pixels.", file);
-    return {};
-}
-
 } // namespace
 
 Result<ImagePtr> decodeImage(std::string_view content, const std::string& file) {
@@ -177,29 +167,6 @@ Result<ImagePtr> loadImage(const std::string& file) {
     if (!content)
         return std::unexpected(content.error());
     return decodeImage(*content, file);
-}
-
-Result<void> savePng(const std::string& file, int width, int height,
-                     const std::vector<std::uint8_t>& pixels) {
-    if (auto checked = checkPixels(file, width, height, pixels); !checked)
-        return checked;
-    int length = 0;
-    const MallocPtr<unsigned char> png(
-        stbi_write_png_to_mem(pixels.data(), width * 4, width, height, 4, &length));
-    if (!png)
-        return failure("The picture does not fit into memory.", file);
-    return replaceFile(file, {reinterpret_cast<const char*>(png.get()), static_cast<std::size_t>(length)});
-}
-
-Result<void> saveExr(const std::string& file, int width, int height, const std::vector<float>& pixels) {
-    if (auto checked = checkPixels(file, width, height, pixels); !checked)
-        return checked;
-    return replaceFile(file, [&](const std::string& path) -> Result<void> {
-        const char* message = nullptr;
-        if (SaveEXR(pixels.data(), width, height, 4, 0, path.c_str(), &message) != TINYEXR_SUCCESS)
-            return failure("The picture could not be written: " + takeExrMessage(message) + ".");
-        return {};
-    });
 }
 
 } // namespace prizma

@@ -47,13 +47,14 @@ bool isVideo(AnimationFormat format) {
 }
 
 std::string_view extensionOf(AnimationFormat format) {
-    constexpr std::array<std::string_view, 4> extensions{"png", "exr", "mp4", "webm"};
+    constexpr std::array<std::string_view, 5> extensions{"png", "png", "exr", "mp4", "webm"};
     return extensions[static_cast<std::size_t>(format)];
 }
 
 SequenceOptions sequenceOf(const AnimationExport& animation) {
     SequenceOptions sequence;
     sequence.picture = animation.picture;
+    sequence.picture.deep = animation.format == AnimationFormat::Png16;
     sequence.first = animation.first;
     sequence.last = animation.last;
     sequence.overwrite = animation.overwrite;

@@ -8,7 +8,7 @@
 
 namespace prizma {
 
-enum class AnimationFormat { Png, Exr, Mp4, WebM };
+enum class AnimationFormat { Png, Png16, Exr, Mp4, WebM };
 
 bool isVideo(AnimationFormat format);
 std::string_view extensionOf(AnimationFormat format); ///< "png", "exr", "mp4", "webm".

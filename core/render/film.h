@@ -7,20 +7,23 @@
 
 namespace prizma {
 
-/// What a picture needs a pixel: ray, hit, sums, counters. Pixels lie in the order of
-/// kernels/pixel_order.clh.
+/// The fewest pixels that share a DeviceWork.
+inline constexpr std::uint32_t pixelsAWork = 16;
+
+/// What a picture needs a pixel: sums, and ray and hit where they go through memory. Pixels lie in the order
+/// of kernels/pixel_order.clh.
 struct Film {
     int width = 0, height = 0;
     std::uint32_t pixelCount = 0; ///< Rounded up to whole tiles.
-    Buffer<DeviceRay> rays;
+    Buffer<DeviceRay> rays;       ///< These two only once asked for.
     Buffer<DeviceHit> hits;
     Buffer<float> sums, losses; ///< Four floats a pixel.
-    Buffer<std::uint32_t> rayCounts;
-    Buffer<std::uint32_t> display;  ///< Row by row.
-    Buffer<std::uint32_t> encoding; ///< How linear values become sRGB bytes (kernels/display.cl).
-    Buffer<float> mean;             ///< Row by row, four floats a pixel; only once asked for.
+    Buffer<DeviceWork> work;    ///< One a packet of sixteen pixels, or a work group.
 
     Result<void> resize(Context& context, int newWidth, int newHeight);
+
+    /// Room for rays and hits.
+    Result<void> reserveRays(Context& context);
 };
 
 } // namespace prizma

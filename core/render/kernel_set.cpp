@@ -34,8 +34,10 @@ Result<void> KernelSet::load(Context& context, const std::string& file, const st
     return {};
 }
 
-Result<KernelSet> KernelSet::create(Context& context, TreeLayout layout, std::function<void()> building) {
+Result<KernelSet> KernelSet::create(Context& context, TreeLayout layout, std::function<void()> building,
+                                    bool packets) {
     KernelSet set;
+    set.packets_ = packets && layout == TreeLayout::Wide8;
     set.building_ = std::move(building);
     set.options_ = layout == TreeLayout::Wide8 ? "-D PRIZMA_WIDE8" : "-D PRIZMA_BINARY2";
     set.raysAPacket = layout == TreeLayout::Wide8 ? 16 : 1;
@@ -58,25 +60,31 @@ Result<KernelSet> KernelSet::create(Context& context, TreeLayout layout, std::fu
           {&set.tracePacket, "tracePacket"},
           {&set.traceAnyPacket, "traceAnyPacket"}},
          tracingOptions(context.info()));
-    load("display.cl", {{&set.toneMap, "toneMap"}, {&set.meanRadiance, "meanRadiance"}});
+    load("display.cl", {{&set.toneMap, "toneMap"},
+                        {&set.toneMapFilmic, "toneMapFilmic"},
+                        {&set.toneMapDeep, "toneMapDeep"},
+                        {&set.meanRadiance, "meanRadiance"}});
     if (!ok)
         return std::unexpected(ok.error());
     return set;
 }
 
-Result<Kernel*> KernelSet::rayShader(Context& context, ShaderType type) {
+Result<RayShader*> KernelSet::rayShader(Context& context, ShaderType type) {
     if (const auto found = rayShaders_.find(type); found != rayShaders_.end())
         return &found->second;
     if (building_)
         building_();
+    // What only looks at the first hit gains nothing from packets.
+    const bool packets = packets_ && (type == ShaderType::Whitted || type == ShaderType::Path);
     const auto program = buildProgram(context, "ray_shader.cl",
-                                      options_ + " -D PRIZMA_VIEW=" + std::to_string(static_cast<int>(type)));
+                                      options_ + " -D PRIZMA_VIEW=" + std::to_string(static_cast<int>(type)) +
+                                          (packets ? " -D PRIZMA_PACKETS" : ""));
     if (!program)
         return std::unexpected(program.error());
-    auto kernel = Kernel::create(*program, "rayShader");
+    auto kernel = Kernel::create(*program, packets ? "rayShaderPacket" : "rayShader");
     if (!kernel)
         return std::unexpected(kernel.error());
-    return &(rayShaders_[type] = std::move(*kernel));
+    return &(rayShaders_[type] = {std::move(*kernel), packets});
 }
 
 } // namespace prizma

@@ -11,18 +11,26 @@
 
 namespace prizma {
 
+/// A RayShader kernel.
+struct RayShader {
+    Kernel kernel;
+    bool makesRays = false; ///< Makes and traces its camera rays itself, a packet a work item.
+};
+
 /// All kernels for one device and tree layout. RayShader is built when a shader is first used.
 class KernelSet {
   public:
-    /// `building` is told before something is compiled that may take seconds.
-    static Result<KernelSet> create(Context& context, TreeLayout layout, std::function<void()> building = {});
+    /// `building` is told before something is compiled that may take seconds. `packets`: whether RayShader
+    /// may work on packets of pixels where the layout allows it.
+    static Result<KernelSet> create(Context& context, TreeLayout layout, std::function<void()> building = {},
+                                    bool packets = true);
 
     Kernel vertexShader, triangleShader, refitTreeShader, refitSmallLevels, gatherRoots;
     Kernel generateCameraRays, traceClosest, traceAny, tracePacket, traceAnyPacket;
-    Kernel toneMap, meanRadiance;
+    Kernel toneMap, toneMapFilmic, toneMapDeep, meanRadiance;
 
     /// The RayShader kernel for `type`, built on first use.
-    Result<Kernel*> rayShader(Context& context, ShaderType type);
+    Result<RayShader*> rayShader(Context& context, ShaderType type);
 
     std::size_t groupSize = 64;   ///< Work items a group for kernels that run once a pixel or ray.
     std::size_t raysAPacket = 16; ///< Rays a work item of tracePacket; GPUs make packets of threads instead.
@@ -36,7 +44,8 @@ class KernelSet {
 
     std::string options_;
     std::function<void()> building_;
-    std::map<ShaderType, Kernel> rayShaders_;
+    bool packets_ = true;
+    std::map<ShaderType, RayShader> rayShaders_;
 };
 
 /// The layout that suits a kind of device.

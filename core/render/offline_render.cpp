@@ -25,6 +25,16 @@ void addTimes(const RenderStatistics& statistics, OfflineTimes& times) {
     }
 }
 
+void addTimes(const PassTimes& pass, PassTimes& times) {
+    times.generate += pass.generate;
+    times.trace += pass.trace;
+    times.shadow += pass.shadow;
+    times.single += pass.single;
+    times.shade += pass.shade;
+    times.accumulate += pass.accumulate;
+    times.isEstimated = pass.isEstimated;
+}
+
 std::uint64_t countNonFinite(const std::vector<float>& radiance) {
     std::uint64_t count = 0;
     for (std::size_t i = 0; i + 3 < radiance.size(); i += 4)
@@ -91,6 +101,8 @@ Result<OfflinePicture> renderOffline(Renderer& renderer, const Scene& scene, con
             return std::unexpected(ok.error());
         const RenderStatistics statistics = renderer.statistics(true);
         addTimes(statistics, picture.times);
+        addTimes(statistics.times, picture.passTimes);
+        picture.nonFinitePixels += statistics.nonFinitePixels;
         picture.rays.camera += statistics.rays.camera;
         picture.rays.shadow += statistics.rays.shadow;
         picture.rays.secondary += statistics.rays.secondary;
@@ -108,16 +120,13 @@ Result<OfflinePicture> renderOffline(Renderer& renderer, const Scene& scene, con
         if (options.timeLimit > 0.0 && since(start) > options.timeLimit * 1000.0)
             break;
     }
-    auto display = renderer.display();
-    auto radiance = renderer.mean();
-    if (!display || !radiance)
-        return std::unexpected(display ? radiance.error() : display.error());
-    picture.width = renderer.width();
-    picture.height = renderer.height();
-    picture.samples = renderer.samples();
-    picture.display = std::move(*display);
-    picture.radiance = std::move(*radiance);
-    picture.nonFinitePixels = countNonFinite(picture.radiance);
+    auto rendered = options.deep
+                        ? renderer.picture({PictureFormat::Png8, PictureFormat::Png16, PictureFormat::Exr})
+                        : renderer.picture({PictureFormat::Png8, PictureFormat::Exr});
+    if (!rendered)
+        return std::unexpected(rendered.error());
+    static_cast<Picture&>(picture) = std::move(*rendered);
+    picture.nonFinitePixels += countNonFinite(picture.radiance);
     picture.times.total = since(start);
     return picture;
 }

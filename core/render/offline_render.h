@@ -13,6 +13,7 @@ struct OfflineOptions {
     int samples = 0;        ///< A pixel; 0 takes the scene's own limit.
     double timeLimit = 0.0; ///< Seconds after which the pass in progress is the last; 0 for none.
     double maxError = 0.0;  ///< Stop once the estimated error is below this; 0 for never.
+    bool deep = false;      ///< 16 bits a channel for PNG files, too.
 };
 
 /// Milliseconds by what they went into.
@@ -20,16 +21,16 @@ struct OfflineTimes {
     double total = 0.0, compile = 0.0, build = 0.0, upload = 0.0, refit = 0.0, trace = 0.0, shade = 0.0;
 };
 
-struct OfflinePicture {
-    int width = 0, height = 0, samples = 0;
-    std::vector<float> radiance;       ///< Linear RGBA, top row first; alpha is coverage.
-    std::vector<std::uint8_t> display; ///< Tone mapped sRGB RGBA.
+/// Radiance and display are always there.
+struct OfflinePicture : Picture {
     /// Estimated relMSE (mean of squared error over squared radiance + 0.01): the difference between the
     /// picture and the one of half as many samples, whose square has the variance of the picture as its mean.
     /// 0 for one sample.
     double error = 0.0;
-    std::uint64_t nonFinitePixels = 0;
+    std::uint64_t nonFinitePixels =
+        0; ///< Samples left out because they were no numbers, and such pixels of the picture.
     OfflineTimes times;
+    PassTimes passTimes; ///< Of all passes.
     RayCounts rays;
 };
 

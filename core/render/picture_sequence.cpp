@@ -1,7 +1,6 @@
 #include "core/render/picture_sequence.h"
 
 #include "core/import/file_finder.h"
-#include "core/import/image_loader.h"
 
 #include <fmt/format.h>
 
@@ -9,10 +8,6 @@
 
 namespace prizma {
 namespace {
-
-bool isExr(const std::string& file) {
-    return lowerExtension(file) == "exr";
-}
 
 bool isThere(const std::string& file) {
     std::error_code error;
@@ -45,12 +40,6 @@ std::string frameFile(const std::string& output, int frame) {
     while (first > 0 && output[first - 1] == '#')
         --first;
     return output.substr(0, first) + fmt::format("{:0{}}", frame, last - first + 1) + output.substr(last + 1);
-}
-
-Result<void> savePicture(const OfflinePicture& picture, const std::string& file) {
-    if (isExr(file))
-        return saveExr(file, picture.width, picture.height, picture.radiance);
-    return savePng(file, picture.width, picture.height, picture.display);
 }
 
 Result<SequenceSummary> renderSequence(Renderer& renderer, Scene scene, const SequenceOptions& options,

@@ -36,9 +36,6 @@ std::string findFault(const SequenceOptions& options);
 /// The file of one frame: the run of # in `output` becomes the frame's number with at least as many digits.
 std::string frameFile(const std::string& output, int frame);
 
-/// Writes a picture as its file's extension says; a crash leaves no half of a picture behind.
-Result<void> savePicture(const OfflinePicture& picture, const std::string& file);
-
 /// Renders frame after frame of `scene`. A frame's file appears under its name once it is whole, so after a
 /// cancelled or broken run the next one goes on where that ended. `progress` counts frames; cancelling it
 /// ends the run within a fraction of a second, with an error. `frameDone` is called after each frame.

@@ -20,17 +20,25 @@ using Clock = std::chrono::steady_clock;
 /// While samples accumulate quickly, the screen gets no more pictures than it can show.
 constexpr auto shortestFrameTime = std::chrono::milliseconds(30);
 
+/// Denoising takes at most about the fourth part of the time: samples make a better picture than smoothing.
+constexpr int denoisingPause = 4;
+
 /// Whether two requests differ in nothing that a pass in progress depends on.
 bool wantSamePass(const RenderRequest& a, const RenderRequest& b) {
     SceneDiff changes = diff(a.scene, b.scene);
-    changes.samples = changes.exposure = false;
+    changes.samples = changes.exposure = false; // who pauses keeps the samples that are there
     return changes.isEmpty() && a.width == b.width && a.height == b.height &&
-           a.interacting == b.interacting && a.paused == b.paused && a.resolutionScale == b.resolutionScale;
+           a.interacting == b.interacting && a.resolutionScale == b.resolutionScale;
 }
 
 struct PickRequest {
     double x = 0.0, y = 0.0;
     std::function<void(Pick)> answer;
+};
+
+struct CaptureRequest {
+    PictureFormat format;
+    std::function<void(Result<Picture>)> answer;
 };
 
 } // namespace
@@ -56,6 +64,12 @@ class RenderThread::Worker {
     void pick(PickRequest request) {
         wake([&] { picks_.push_back(std::move(request)); });
     }
+    void capture(CaptureRequest request) {
+        wake([&] {
+            captures_.push_back(std::move(request));
+            captureAsked_ = true;
+        });
+    }
 
   private:
     /// Changes what the two threads share and wakes the render thread.
@@ -73,6 +87,7 @@ class RenderThread::Worker {
     void takeRequest();
     void changeDevice(const std::string& deviceId);
     void answerPicks();
+    void answerCaptures();
     bool work(const std::stop_token& stop);
     bool finishPass(const std::stop_token& stop);
     bool isStale();
@@ -88,6 +103,8 @@ class RenderThread::Worker {
     std::optional<RenderRequest> pending_;    ///< Not yet looked at.
     std::optional<std::string> wantedDevice_; ///< To change to.
     std::deque<PickRequest> picks_;
+    std::deque<CaptureRequest> captures_;
+    bool captureAsked_ = false; ///< Since the thread last waited.
     bool treeReady_ = false;
 
     // Only the render thread touches these.
@@ -95,9 +112,10 @@ class RenderThread::Worker {
     std::optional<RenderRequest> request_;
     InteractiveResolution interactiveResolution_;
     Clock::time_point lastShown_;
-    bool hasWork_ = false;  ///< More samples, or something changed.
-    bool complete_ = false; ///< What is drawn lacks no object whose tree is still being built.
-    bool settled_ = false;  ///< The last frame said that nothing more comes.
+    Clock::duration denoising_{}; ///< How long it took for the last frame.
+    bool hasWork_ = false;        ///< More samples, or something changed.
+    bool complete_ = false;       ///< What is drawn lacks no object whose tree is still being built.
+    bool settled_ = false;        ///< The last frame said that nothing more comes.
     std::string activity_;
 
     std::jthread thread_; ///< Last: it uses everything above.
@@ -123,6 +141,7 @@ void RenderThread::Worker::run(const std::stop_token& stop) {
         } else {
             hasWork_ = false;
         }
+        answerCaptures();
     }
 }
 
@@ -130,9 +149,9 @@ void RenderThread::Worker::waitForWork(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, stop, [this] {
         return hasWork_ || pending_ || wantedDevice_ || (renderer_ && request_ && !picks_.empty()) ||
-               treeReady_;
+               treeReady_ || captureAsked_;
     });
-    treeReady_ = false;
+    treeReady_ = captureAsked_ = false;
 }
 
 void RenderThread::Worker::takeRequest() {
@@ -207,6 +226,22 @@ void RenderThread::Worker::answerPicks() {
     }
 }
 
+void RenderThread::Worker::answerCaptures() {
+    const bool isWhole = renderer_ && request_ && renderer_->hasPicture() && !request_->interacting;
+    const bool mayCome =
+        hasWork_ || (renderer_ && request_ && !request_->paused && (request_->interacting || !complete_));
+    if (!isWhole && mayCome)
+        return;
+    std::deque<CaptureRequest> captures;
+    {
+        const std::lock_guard lock(mutex_);
+        captures.swap(captures_);
+    }
+    for (const CaptureRequest& capture : captures)
+        capture.answer(isWhole ? renderer_->picture({capture.format})
+                               : failure("There is no picture yet. Let rendering go on, and try again."));
+}
+
 bool RenderThread::Worker::isStale() {
     const std::lock_guard lock(mutex_);
     return wantedDevice_.has_value() || (pending_.has_value() && !wantSamePass(*request_, *pending_));
@@ -257,25 +292,30 @@ bool RenderThread::Worker::finishPass(const std::stop_token& stop) {
         }
     }
     const double elapsed = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    interactiveResolution_.measured(static_cast<double>(renderer_->width()) * renderer_->height(), elapsed);
     settled_ = false;
     const bool isFinal = renderer_->samples() >= request_->scene.render.samples;
     const bool isFirst = renderer_->samples() == 1;
-    if (isFinal || isFirst || Clock::now() - lastShown_ >= shortestFrameTime)
+    const auto pause = std::max<Clock::duration>(shortestFrameTime, denoisingPause * denoising_);
+    if (isFinal || isFirst || Clock::now() - lastShown_ >= pause)
         showFrame(isFinal);
+    interactiveResolution_.measured(static_cast<double>(renderer_->width()) * renderer_->height(),
+                                    elapsed + std::chrono::duration<double, std::milli>(denoising_).count());
     return true;
 }
 
 void RenderThread::Worker::showFrame(bool isFinal) {
-    auto pixels = renderer_->display();
-    if (!pixels) {
-        report(pixels.error());
+    auto preview = renderer_->preview();
+    if (!preview) {
+        report(preview.error());
         return;
     }
+    denoising_ = std::chrono::duration_cast<Clock::duration>(
+        std::chrono::duration<double, std::milli>(preview->milliseconds));
     auto frame = std::make_shared<Frame>();
     frame->width = renderer_->width();
     frame->height = renderer_->height();
-    frame->pixels = std::move(*pixels);
+    frame->pixels = std::move(preview->pixels);
+    frame->isDenoised = preview->isDenoised;
     frame->samples = renderer_->samples();
     frame->sampleLimit = request_->scene.render.samples;
     frame->isFinal = isFinal && complete_;
@@ -303,6 +343,10 @@ void RenderThread::selectDevice(std::string deviceId) {
 
 void RenderThread::pick(double x, double y, std::function<void(Pick)> answer) {
     worker_->pick({x, y, std::move(answer)});
+}
+
+void RenderThread::capture(PictureFormat format, std::function<void(Result<Picture>)> answer) {
+    worker_->capture({format, std::move(answer)});
 }
 
 } // namespace prizma

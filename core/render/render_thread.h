@@ -2,6 +2,7 @@
 
 #include "core/compute/device.h"
 #include "core/diagnostic.h"
+#include "core/render/picture.h"
 #include "core/render/statistics.h"
 #include "core/scene/scene.h"
 
@@ -30,9 +31,10 @@ struct Frame {
     std::vector<std::uint8_t> pixels; ///< RGBA, sRGB, top row first.
     int samples = 0;                  ///< In each pixel so far.
     int sampleLimit = 0;
-    bool isFinal = false; ///< Nothing more comes until the next request.
-    Camera camera;        ///< The camera it shows.
-    Scene scene;          ///< The snapshot it shows: what is drawn over the picture fits it, however late it is.
+    bool isFinal = false;    ///< Nothing more comes until the next request.
+    bool isDenoised = false; ///< `pixels` are a smoothed preview: to be said beside them.
+    Camera camera;           ///< The camera it shows.
+    Scene scene; ///< The snapshot it shows: what is drawn over the picture fits it, however late it is.
     RenderStatistics statistics;
 };
 
@@ -70,6 +72,11 @@ class RenderThread {
 
     /// Finds what the centre of pixel (x, y) of the requested view shows; answers on the render thread.
     void pick(double x, double y, std::function<void(Pick)> answer);
+
+    /// Takes the picture of the last request as soon as it has a whole sample in each pixel, at full size and
+    /// never denoised, as a file of `format` needs it; answers on the render thread. Errors: nothing is there
+    /// and nothing comes, as rendering is paused or has no device.
+    void capture(PictureFormat format, std::function<void(Result<Picture>)> answer);
 
   private:
     class Worker;

@@ -1,6 +1,7 @@
 #include "core/render/renderer.h"
 
 #include "core/render/sampling.h"
+#include "core/render/work_totals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(RendererOptions options) {
     if (!context)
         return std::unexpected(context.error());
     const TreeLayout layout = options.layout.value_or(layoutFor((*context)->info().type));
-    auto kernels = KernelSet::create(**context, layout, std::move(options.building));
+    auto kernels = KernelSet::create(**context, layout, std::move(options.building), options.packets);
     if (!kernels)
         return std::unexpected(kernels.error());
     std::unique_ptr<Renderer> made(new Renderer(std::move(*context), layout, std::move(options.treeReady)));
@@ -123,8 +124,10 @@ Result<void> Renderer::begin(const RenderPlan& plan, const Scene& scene, int wid
     state_.anchor = plan.anchor;
     state_.width = width;
     state_.height = height;
-    if (plan.restarts)
+    if (plan.restarts) {
         state_.samples = 0;
+        hasGuides_ = false;
+    }
     inPass_ = plan.find(Stage::RayShader) != nullptr;
     if (!inPass_)
         return {};
@@ -132,6 +135,10 @@ Result<void> Renderer::begin(const RenderPlan& plan, const Scene& scene, int wid
     if (!shader)
         return fail(shader.error());
     rayShader_ = *shader;
+    if (!rayShader_->makesRays)
+        if (auto ok = film_.reserveRays(*context_); !ok)
+            return fail(ok.error());
+    passTimes_ = {};
     view_ = viewOf(scene, width, height);
     shading_ = shadingOf(scene);
     nextPixel_ = 0;
@@ -178,38 +185,57 @@ DeviceShading Renderer::shadingOf(const Scene& scene) const {
     return shading;
 }
 
-Result<void> Renderer::launchChunk(std::uint32_t count) {
-    view_.firstPixel = nextPixel_;
-    view_.pixelCount = count;
-    const std::size_t group = kernels_->groupSize;
+Result<void> Renderer::traceCameraRays(std::uint32_t count, ClEvent& generated, ClEvent& traced) {
     const std::size_t packets = (count + kernels_->raysAPacket - 1) / kernels_->raysAPacket;
     kernels_->generateCameraRays.setArguments(view_, film_.rays);
-    auto generated = kernels_->generateCameraRays.launch(*context_, count, group);
-    if (!generated)
-        return std::unexpected(generated.error());
+    auto launched = kernels_->generateCameraRays.launch(*context_, count, kernels_->groupSize);
+    if (!launched)
+        return std::unexpected(launched.error());
+    generated = std::move(*launched);
     Kernel& trace = kernels_->tracePacket;
     deviceScene_->setSceneArguments(trace);
     trace.addArgument(film_.rays);
     trace.addArgument(film_.hits);
     trace.addArgument(nextPixel_);
     trace.addArgument(count);
-    auto traced = trace.launch(*context_, packets, kernels_->packetGroupSize());
-    if (!traced)
-        return std::unexpected(traced.error());
-    deviceScene_->setSceneArguments(*rayShader_);
-    rayShader_->addArgument(view_);
-    rayShader_->addArgument(shading_);
-    rayShader_->addArgument(film_.rays);
-    rayShader_->addArgument(film_.hits);
-    rayShader_->addArgument(film_.sums);
-    rayShader_->addArgument(film_.losses);
-    rayShader_->addArgument(film_.rayCounts);
-    auto shaded = rayShader_->launch(*context_, count, group);
+    launched = trace.launch(*context_, packets, kernels_->packetGroupSize());
+    if (!launched)
+        return std::unexpected(launched.error());
+    traced = std::move(*launched);
+    return {};
+}
+
+Result<void> Renderer::launchChunk(std::uint32_t count) {
+    view_.firstPixel = nextPixel_;
+    view_.pixelCount = count;
+    const bool makesRays = rayShader_->makesRays;
+    ClEvent generated, traced;
+    if (!makesRays)
+        if (auto ok = traceCameraRays(count, generated, traced); !ok)
+            return ok;
+    Kernel& shade = rayShader_->kernel;
+    deviceScene_->setSceneArguments(shade);
+    shade.addArgument(view_);
+    shade.addArgument(shading_);
+    if (!makesRays) {
+        shade.addArgument(film_.rays);
+        shade.addArgument(film_.hits);
+    }
+    shade.addArgument(film_.sums);
+    shade.addArgument(film_.losses);
+    shade.addArgument(film_.work);
+    const std::size_t items = makesRays ? count / kernels_->raysAPacket : count;
+    auto shaded =
+        shade.launch(*context_, items, makesRays ? kernels_->packetGroupSize() : kernels_->groupSize);
     if (!shaded)
         return std::unexpected(shaded.error());
     if (auto ok = context_->finish(); !ok)
         return ok;
-    record(Stage::GenerateCameraRays, milliseconds(*generated) + milliseconds(*traced));
+    passTimes_.generate += milliseconds(generated);
+    passTimes_.trace += milliseconds(traced);
+    passTimes_.shade += milliseconds(*shaded);
+    if (!makesRays)
+        record(Stage::GenerateCameraRays, milliseconds(generated) + milliseconds(traced));
     record(Stage::RayShader, milliseconds(*shaded));
     return {};
 }
@@ -244,57 +270,111 @@ void Renderer::drop() {
     inPass_ = false;
 }
 
+RenderSettings Renderer::settings() const {
+    return state_.scene ? state_.scene->render : RenderSettings{};
+}
+
 Result<std::vector<std::uint8_t>> Renderer::display() {
-    const auto pixels = static_cast<std::size_t>(film_.width) * static_cast<std::size_t>(film_.height);
-    const double exposure = state_.scene ? state_.scene->render.exposure : 0.0;
-    const auto scale = static_cast<float>(std::exp2(exposure) / std::max(state_.samples, 1));
-    kernels_->toneMap.setArguments(film_.sums, film_.display, film_.width, film_.height, scale,
-                                   film_.encoding);
-    const auto launched = kernels_->toneMap.launch(*context_, pixels, kernels_->groupSize);
-    if (!launched)
-        return std::unexpected(launched.error());
-    std::vector<std::uint32_t> words(pixels);
-    if (auto ok = film_.display.read(*context_, words, 0, "picture"); !ok)
-        return std::unexpected(ok.error());
-    record(Stage::Display, milliseconds(*launched));
-    const auto* bytes = reinterpret_cast<const std::uint8_t*>(words.data());
-    return std::vector<std::uint8_t>(bytes, bytes + 4 * pixels);
+    auto pixels = display_.bytes(*context_, *kernels_, summed(), settings());
+    if (pixels)
+        record(Stage::Display, display_.milliseconds());
+    return pixels;
+}
+
+Result<SummedPicture> Renderer::denoised() {
+    if (!denoiser_) {
+        auto made = PreviewDenoiser::create(*context_, layout(), kernels_->groupSize);
+        if (!made)
+            return std::unexpected(made.error());
+        denoiser_ = std::move(*made);
+        hasGuides_ = false;
+    }
+    if (!hasGuides_)
+        if (auto ok = denoiser_->takeGuides(*context_, *kernels_, *deviceScene_, view_); !ok)
+            return std::unexpected(ok.error());
+    hasGuides_ = true;
+    return denoiser_->denoise(*context_, summed());
+}
+
+Result<Preview> Renderer::preview() {
+    const bool isWanted = hasPicture() && isDenoised(settings());
+    if (!isWanted)
+        denoiser_.reset();
+    const auto shown = isWanted ? denoised() : summed();
+    if (!shown)
+        return std::unexpected(shown.error());
+    auto pixels = display_.bytes(*context_, *kernels_, *shown, settings());
+    if (!pixels)
+        return std::unexpected(pixels.error());
+    const double denoising = isWanted ? denoiser_->milliseconds() : 0.0;
+    record(Stage::Display, display_.milliseconds() + denoising);
+    return Preview{std::move(*pixels), isWanted, denoising};
+}
+
+Result<Picture> Renderer::picture(std::initializer_list<PictureFormat> formats) {
+    Picture picture;
+    picture.width = film_.width;
+    picture.height = film_.height;
+    picture.samples = state_.samples;
+    const auto take = [](auto made, auto& target) -> Result<void> {
+        if (!made)
+            return std::unexpected(made.error());
+        target = std::move(*made);
+        return {};
+    };
+    for (const PictureFormat format : formats) {
+        const auto taken =
+            format == PictureFormat::Png8 ? take(display(), picture.display)
+            : format == PictureFormat::Png16
+                ? take(display_.words(*context_, *kernels_, summed(), settings()), picture.deep)
+                : take(mean(), picture.radiance);
+        if (!taken)
+            return std::unexpected(taken.error());
+    }
+    return picture;
 }
 
 Result<std::vector<float>> Renderer::mean() {
-    const auto pixels = static_cast<std::size_t>(film_.width) * static_cast<std::size_t>(film_.height);
-    if (auto ok = film_.mean.reserve(*context_, 4 * pixels, "picture"); !ok)
-        return std::unexpected(ok.error());
-    const auto scale = static_cast<float>(1.0 / std::max(state_.samples, 1));
-    kernels_->meanRadiance.setArguments(film_.sums, film_.mean, film_.width, film_.height, scale);
-    const auto launched = kernels_->meanRadiance.launch(*context_, pixels, kernels_->groupSize);
-    if (!launched)
-        return std::unexpected(launched.error());
-    std::vector<float> values(4 * pixels);
-    if (auto ok = film_.mean.read(*context_, values, 0, "picture"); !ok)
-        return std::unexpected(ok.error());
-    return values;
+    return display_.mean(*context_, *kernels_, summed());
 }
 
-RenderStatistics Renderer::statistics(bool countRays) {
+RenderStatistics Renderer::statistics(bool readWork) {
     RenderStatistics result;
     result.device = device().name;
     result.stages = stageStatistics_;
     result.passMilliseconds = passMilliseconds_;
+    result.times = passTimes_;
     result.triangles = deviceScene_->instances().triangleCount();
     result.deviceBytes = context_->allocatedBytes();
     result.treeWear = deviceScene_->treeWear();
     result.rays.camera = static_cast<std::uint64_t>(film_.width) * static_cast<std::uint64_t>(film_.height);
-    if (!countRays)
-        return result;
-    std::vector<std::uint32_t> counts(film_.pixelCount);
-    if (!film_.rayCounts.read(*context_, counts, 0, "ray counts"))
-        return result;
-    for (const std::uint32_t count : counts) {
-        result.rays.shadow += count & 0xFFFFu;
-        result.rays.secondary += count >> 16;
-    }
+    if (readWork && rayShader_)
+        addWork(result);
     return result;
+}
+
+void Renderer::addWork(RenderStatistics& statistics) {
+    const std::size_t pixels = rayShader_->makesRays ? kernels_->raysAPacket : kernels_->groupSize;
+    std::vector<DeviceWork> work((film_.pixelCount + pixels - 1) / pixels);
+    if (!film_.work.read(*context_, work, 0, "ray counts"))
+        return;
+    WorkTotals totals;
+    for (const DeviceWork& part : work)
+        totals.add(part);
+    statistics.rays.shadow = totals.shadowRays;
+    statistics.rays.secondary = totals.secondaryRays;
+    statistics.nonFinitePixels = totals.nonFinite;
+    if (!rayShader_->makesRays)
+        return;
+    statistics.times = totals.split(passTimes_.shade);
+    const double tracing = statistics.times.generate + statistics.times.trace;
+    const auto shaded =
+        std::find_if(statistics.stages.begin(), statistics.stages.end(),
+                     [](const auto& entry) { return entry.stage == describe(Stage::RayShader); });
+    if (shaded == statistics.stages.end())
+        return;
+    shaded->milliseconds -= tracing;
+    statistics.stages.insert(shaded, {describe(Stage::GenerateCameraRays), shaded->why, tracing, 0});
 }
 
 Result<Pick> Renderer::pick(double x, double y, int viewWidth, int viewHeight) {

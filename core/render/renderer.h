@@ -3,12 +3,16 @@
 #include "core/compute/context.h"
 #include "core/render/device_scene.h"
 #include "core/render/film.h"
+#include "core/render/picture.h"
+#include "core/render/picture_display.h"
+#include "core/render/preview_denoiser.h"
 #include "core/render/render_plan.h"
 #include "core/render/render_thread.h"
 #include "core/render/statistics.h"
 
 #include <chrono>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,7 +24,15 @@ struct RendererOptions {
     std::optional<TreeLayout> layout; ///< Nothing: what suits the device.
     std::function<void()> treeReady;  ///< From another thread: a tree that a scene waits for has been built.
     std::function<void()> building;   ///< Before kernels are compiled.
-    bool renewTrees = true;           ///< Build trees anew, in the background, that refitting has worn out.
+    bool packets = true;    ///< RayShader may work on packets of pixels, on devices where that pays.
+    bool renewTrees = true; ///< Build trees anew, in the background, that refitting has worn out.
+};
+
+/// A picture for the screen, sRGB RGBA.
+struct Preview {
+    std::vector<std::uint8_t> pixels;
+    bool isDenoised = false;   ///< To be said wherever it is shown.
+    double milliseconds = 0.0; ///< That the device spent on denoising.
 };
 
 /// Renders scenes on one device: plans, brings the device up to date, adds sample after sample. For one
@@ -59,15 +71,24 @@ class Renderer {
     int width() const { return state_.width; }
     int height() const { return state_.height; }
 
-    /// The picture for a screen, RGBA, tone mapped with the scene's exposure.
+    /// The picture for a screen, sRGB RGBA, through the scene's exposure and view transform; never denoised.
     Result<std::vector<std::uint8_t>> display();
+
+    /// The picture for a preview: denoised where the scene's settings want that.
+    Result<Preview> preview();
+
+    /// The picture as these files need it; never denoised.
+    Result<Picture> picture(std::initializer_list<PictureFormat> formats);
+
+    /// False while a pass was left half done: the picture is no use.
+    bool hasPicture() const { return state_.scene && state_.samples > 0 && !state_.dropped; }
 
     /// Linear radiance and coverage, RGBA.
     Result<std::vector<float>> mean();
 
-    /// Of the last plan and pass. Counting rays costs a read of one number a pixel: only where `countRays` is
-    /// set.
-    RenderStatistics statistics(bool countRays);
+    /// Of the last plan and pass. Rays, times of the pass and pixels that are no numbers are read from the
+    /// device (two bytes a pixel): only where `readWork` is set.
+    RenderStatistics statistics(bool readWork);
 
     /// What the centre of a pixel of a view shows; the scene is the one of the last `begin`.
     Result<Pick> pick(double x, double y, int viewWidth, int viewHeight);
@@ -82,9 +103,14 @@ class Renderer {
 
     Result<void> update(const RenderPlan& plan, const Scene& scene);
     Result<void> launchChunk(std::uint32_t count);
+    Result<void> traceCameraRays(std::uint32_t count, ClEvent& generated, ClEvent& traced);
+    void addWork(RenderStatistics& statistics);
     DeviceView viewOf(const Scene& scene, int width, int height) const;
     DeviceShading shadingOf(const Scene& scene) const;
     void record(Stage stage, double milliseconds);
+    SummedPicture summed() const { return {film_.sums, film_.width, film_.height, state_.samples}; }
+    RenderSettings settings() const;
+    Result<SummedPicture> denoised();
 
     std::unique_ptr<Context> context_;
     TreeStore trees_;
@@ -92,9 +118,12 @@ class Renderer {
     std::unique_ptr<DeviceScene> deviceScene_;
     DeviceState state_;
     Film film_;
+    PictureDisplay display_;
+    std::optional<PreviewDenoiser> denoiser_; ///< While it is wanted.
+    bool hasGuides_ = false;                  ///< Of the present picture.
 
     RenderPlan plan_;
-    Kernel* rayShader_ = nullptr;
+    RayShader* rayShader_ = nullptr;
     DeviceView view_{};
     DeviceShading shading_{};
     std::uint32_t nextPixel_ = 0;
@@ -103,6 +132,7 @@ class Renderer {
     std::vector<StageStatistics> stageStatistics_;
     std::chrono::steady_clock::time_point began_;
     double passMilliseconds_ = 0.0;
+    PassTimes passTimes_; ///< As far as the kernels' own times tell.
 };
 
 } // namespace prizma

@@ -20,11 +20,26 @@ struct RayCounts {
     std::uint64_t total() const { return camera + shadow + secondary; }
 };
 
+/// Where the time of a pass went, in milliseconds. Where RayShader makes the camera rays itself, these are
+/// estimates: one packet in 61 looks at the clock, and its shares are taken for those of all. Elsewhere
+/// generate and trace are the device's own times of these kernels, and shade is all of RayShader.
+struct PassTimes {
+    double generate = 0.0;   ///< Camera rays.
+    double trace = 0.0;      ///< Their first hits.
+    double shadow = 0.0;     ///< Shadow rays that travel in packets.
+    double single = 0.0;     ///< Pixels that were finished one by one, with all rays of theirs.
+    double shade = 0.0;      ///< Surfaces, lights and materials.
+    double accumulate = 0.0; ///< Adding to the picture.
+    bool isEstimated = false;
+};
+
 /// About the picture on the screen, for the overlay and --stats.
 struct RenderStatistics {
     std::string device;
     std::vector<StageStatistics> stages; ///< The last RenderPlan, as it ran.
     RayCounts rays;                      ///< Of the last pass.
+    PassTimes times;                     ///< Of the last pass.
+    std::uint64_t nonFinitePixels = 0;   ///< Of the last pass: samples that were no numbers, and left out.
     double passMilliseconds = 0.0;       ///< From the snapshot to the finished pass.
     std::uint64_t triangles = 0;         ///< As instanced in the scene.
     std::uint64_t deviceBytes = 0;       ///< Buffers on the device.

@@ -108,7 +108,8 @@ void appendMorphs(const Object& object, std::vector<PropertyInfo>& infos) {
                                  {},
                                  true,
                                  morphWeight(object, target.name),
-                                 0.0});
+                                 0.0,
+                                 "Shapes"});
 }
 
 /// Calls `visitor` with the entity itself; false if the scene has none such.
@@ -277,7 +278,7 @@ std::vector<PropertyInfo> properties(const Scene& scene, EntityRef entity) {
         for (const Property<Owner>& p : propertiesOf<Owner>())
             infos.push_back({std::string(p.key), std::string(p.label), p.help, p.kind, p.unit, p.minimum,
                              p.maximum, p.step, p.choices, !p.applies || p.applies(owner), p.get(owner),
-                             p.get(Owner{})});
+                             p.get(Owner{}), p.section});
         if constexpr (std::is_same_v<Owner, Object>)
             appendMorphs(owner, infos);
     });

@@ -50,6 +50,7 @@ struct Property {
     PropertyValue (*get)(const Owner&) = nullptr;
     void (*set)(Owner&, const PropertyValue&) = nullptr; ///< The value must have passed `checkValue`.
     bool (*applies)(const Owner&) = nullptr; ///< Null: always. E.g. a radius is for sphere lights only.
+    std::string_view section = {}; ///< English heading under which panels show it; neighbours share one.
 };
 
 template <class Owner>
@@ -76,6 +77,7 @@ struct PropertyInfo {
     bool applies = true; ///< To this entity as it is now.
     PropertyValue value;
     PropertyValue defaultValue;
+    std::string_view section = {};
 };
 
 /// All properties of an entity with their present values; empty if the scene has no such entity. An object

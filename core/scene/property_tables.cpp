@@ -63,7 +63,8 @@ Property<Owner> property(Texts texts, PropertyKind kind, Range range = {}, Appli
         choices = choicesOf<Value>();
     return {texts.key,  texts.label,          texts.help,           kind,
             range.unit, range.minimum,        range.maximum,        range.step,
-            choices,    &Access<member>::get, &Access<member>::set, applies};
+            choices,    &Access<member>::get, &Access<member>::set, applies,
+            {}};
 }
 
 /// A property stored in `part` of an object's `whole` (its transform, its playback).
@@ -83,7 +84,8 @@ Property<Object> partProperty(Texts texts, PropertyKind kind, Range range = {},
             inner.choices,
             [](const Object& object) { return Access<part>::get(object.*whole); },
             [](Object& object, const PropertyValue& value) { Access<part>::set(object.*whole, value); },
-            applies};
+            applies,
+            {}};
 }
 
 template <auto part>
@@ -94,6 +96,24 @@ Property<Object> transformProperty(Texts texts, PropertyKind kind, Range range =
 template <auto part>
 Property<Object> playbackProperty(Texts texts, PropertyKind kind, Range range, Applies<Object> applies) {
     return partProperty<&Object::playback, part>(texts, kind, range, applies);
+}
+
+/// From the property `key` on, panels put a heading.
+struct SectionStart {
+    std::string_view key, section;
+};
+
+template <class Owner, std::size_t count>
+std::array<Property<Owner>, count> sectioned(std::array<Property<Owner>, count> properties,
+                                             std::initializer_list<SectionStart> starts) {
+    std::string_view section;
+    for (Property<Owner>& property : properties) {
+        for (const SectionStart& start : starts)
+            if (start.key == property.key)
+                section = start.section;
+        property.section = section;
+    }
+    return properties;
 }
 
 bool isMasked(const Material& material) {
@@ -235,7 +255,9 @@ std::span<const Property<Object>> propertiesOf() {
             {"fadeFrom", "Fade from", "The clip that plays before; empty for the bind pose."},
             PropertyKind::Text, {}, fades),
     };
-    return properties;
+    static const auto inSections =
+        sectioned(properties, {{"translation", "Placement"}, {"clip", "Animation"}});
+    return inSections;
 }
 
 template <>
@@ -277,7 +299,8 @@ std::span<const Property<Light>> propertiesOf() {
         property<&Light::radius>({"radius", "Radius", "Of the sphere."}, PropertyKind::Number,
                                  {"", 0.0, unlimited}, isType<Sphere>),
     };
-    return properties;
+    static const auto inSections = sectioned(properties, {{"color", "Light"}, {"position", "Placement"}});
+    return inSections;
 }
 
 template <>
@@ -347,7 +370,13 @@ std::span<const Property<Material>> propertiesOf() {
             {"normalScale", "Normal strength", "How far the normal map bends the normal; 1 is as painted."},
             PropertyKind::Number, {"", -10.0, 10.0, 0.1}, hasNormalMap),
     };
-    return properties;
+    static const auto inSections = sectioned(properties, {{"baseColor", "Colour"},
+                                                          {"alpha", "Holes"},
+                                                          {"specular", "Reflection"},
+                                                          {"transmission", "Glass"},
+                                                          {"emission", "Light"},
+                                                          {"normalTexture", "Relief"}});
+    return inSections;
 }
 
 template <>
@@ -367,7 +396,8 @@ std::span<const Property<Camera>> propertiesOf() {
             {"focusDistance", "Focus distance", "How far away things are sharp; 0: at the target."},
             PropertyKind::Number, {"", 0.0, unlimited, 0.1}, hasLens),
     };
-    return properties;
+    static const auto inSections = sectioned(properties, {{"fovY", "Lens"}});
+    return inSections;
 }
 
 template <>
@@ -430,7 +460,9 @@ std::span<const Property<RenderSettings>> propertiesOf() {
              "Smooths the picture on the screen along surfaces; files stay as they are."},
             PropertyKind::Boolean),
     };
-    return properties;
+    static const auto inSections =
+        sectioned(properties, {{"fireflyClamp", "Samples"}, {"exposure", "Display"}});
+    return inSections;
 }
 
 } // namespace prizma

@@ -1,5 +1,6 @@
 #include "tests/ui/ui_test_support.h"
 
+#include "core/scene/property_tables.h"
 #include "core/scene/starter_scene.h"
 #include "ui/document/edits.h"
 #include "ui/import/import_settings.h"
@@ -66,6 +67,8 @@ class TestMainWindow : public QObject {
     void layoutIsReset();
     void layoutIsRemembered();
     void shadersCanBeChosen();
+    void everyShaderHasItsKey();
+    void displayIsChosenInTheMenu();
     void shortcutsAreUnique();
     void cheatSheetListsAll();
     void doubleClickOnAMessageSelects();
@@ -354,6 +357,36 @@ void TestMainWindow::shadersCanBeChosen() {
     trigger(*window_, QStringLiteral("Edit/Undo"));
     QVERIFY(scene().render.shader == ShaderType::Whitted);
     QVERIFY(findAction(*window_->menuBar(), QStringLiteral("Render/Shader/Whitted"))->isChecked());
+}
+
+void TestMainWindow::everyShaderHasItsKey() {
+    const auto shaders = choicesOf<ShaderType>();
+    for (std::size_t i = 0; i < shaders.size(); ++i) {
+        const auto key = static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i));
+        QTest::keyClick(window_.get(), key, Qt::ControlModifier);
+        QCOMPARE(static_cast<std::size_t>(scene().render.shader), i);
+        const QString path = QStringLiteral("Render/Shader/") + translated(shaders[i].label);
+        QVERIFY2(findAction(*window_->menuBar(), path)->isChecked(), qPrintable(path));
+    }
+}
+
+void TestMainWindow::displayIsChosenInTheMenu() {
+    const auto action = [&](const char* path) {
+        return findAction(*window_->menuBar(), QString::fromLatin1(path));
+    };
+    QVERIFY(action("View/Colours/Standard (sRGB)")->isChecked());
+    trigger(*window_, QStringLiteral("View/Colours/Filmic"));
+    QVERIFY(scene().render.viewTransform == ViewTransform::Filmic);
+    QVERIFY(!action("View/Colours/Standard (sRGB)")->isChecked());
+    trigger(*window_, QStringLiteral("View/Denoise Preview"));
+    QVERIFY(scene().render.denoise);
+    QVERIFY(window_->isWindowModified());
+    trigger(*window_, QStringLiteral("Edit/Undo"));
+    QVERIFY(!scene().render.denoise && !action("View/Denoise Preview")->isChecked());
+    trigger(*window_, QStringLiteral("Edit/Undo"));
+    QVERIFY(scene().render.viewTransform == ViewTransform::Standard);
+    QVERIFY(action("View/Colours/Standard (sRGB)")->isChecked());
+    QVERIFY(!window_->isWindowModified());
 }
 
 namespace {

@@ -1,4 +1,5 @@
 #include "core/import/image_loader.h"
+#include "core/import/image_saver.h"
 
 #include <QDir>
 #include <QFile>
@@ -10,6 +11,8 @@
 #include <random>
 
 using namespace prizma;
+
+using Bytes = std::vector<std::uint8_t>;
 
 class TestImageLoader : public QObject {
     Q_OBJECT
@@ -85,16 +88,16 @@ class TestImageLoader : public QObject {
     void writingLeavesNoTemporaryFile() {
         QTemporaryDir other;
         const std::string file = other.filePath("x.png").toStdString();
-        QVERIFY(savePng(file, 1, 1, {1, 2, 3, 4}));
-        QVERIFY(savePng(file, 1, 1, {4, 3, 2, 1}));
+        QVERIFY(savePng(file, 1, 1, Bytes{1, 2, 3, 4}));
+        QVERIFY(savePng(file, 1, 1, Bytes{4, 3, 2, 1}));
         QCOMPARE(QDir(other.path()).entryList(QDir::Files).size(), 1);
         QVERIFY((*loadImage(file))->bytes == std::vector<std::uint8_t>({4, 3, 2, 1}));
     }
 
     void writingFaults() {
-        QVERIFY(!savePng("/no/such/folder/x.png", 1, 1, {1, 2, 3, 4}));
-        QVERIFY(!savePng(path("x.png"), 2, 2, {1, 2, 3, 4}));
-        QVERIFY(!savePng(folder_.path().toStdString(), 1, 1, {1, 2, 3, 4}));
+        QVERIFY(!savePng("/no/such/folder/x.png", 1, 1, Bytes{1, 2, 3, 4}));
+        QVERIFY(!savePng(path("x.png"), 2, 2, Bytes{1, 2, 3, 4}));
+        QVERIFY(!savePng(folder_.path().toStdString(), 1, 1, Bytes{1, 2, 3, 4}));
         QVERIFY(!saveExr(path("x.exr"), 0, 1, {}));
     }
 

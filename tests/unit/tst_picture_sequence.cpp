@@ -1,4 +1,5 @@
 #include "core/import/image_loader.h"
+#include "core/import/image_saver.h"
 #include "core/render/picture_sequence.h"
 #include "core/render/video_encoder.h"
 #include "tests/support/test_scenes.h"

@@ -25,7 +25,7 @@
 namespace prizma {
 namespace {
 
-const QString formatKey = QStringLiteral("animation/format");
+const QString formatKey = QStringLiteral("animation/fileFormat");
 const QString widthKey = QStringLiteral("animation/width");
 const QString heightKey = QStringLiteral("animation/height");
 const QString folderKey = QStringLiteral("folders/animation");
@@ -107,7 +107,8 @@ AnimationExportDialog::AnimationExportDialog(const Scene& scene, const QString& 
 
 void AnimationExportDialog::makeFields(const Scene& scene) {
     format_->setObjectName(QStringLiteral("format"));
-    format_->addItems({tr("PNG pictures"), tr("OpenEXR pictures (linear, 32 bits)"), tr("MP4 video (H.264)"),
+    format_->addItems({tr("PNG pictures"), tr("PNG pictures of 16 bits a channel"),
+                       tr("OpenEXR pictures (linear, 32 bits)"), tr("MP4 video (H.264)"),
                        tr("WebM video (VP9)")});
     if (!isVideoEncoderInstalled())
         for (const AnimationFormat video : {AnimationFormat::Mp4, AnimationFormat::WebM}) {

@@ -4,6 +4,7 @@
 #include "ui/export/animation_export_dialog.h"
 #include "ui/export/animation_exporter.h"
 #include "ui/export/export_progress_dialog.h"
+#include "ui/export/image_exporter.h"
 #include "ui/main_window/theme.h"
 #include "ui/viewport/render_session.h"
 
@@ -17,8 +18,14 @@ ExportActions::ExportActions(Document& document, RenderSession& session, QWidget
       document_(document),
       session_(session),
       window_(window),
+      imageExporter_(new ImageExporter(document, session, window)),
       exporter_(new AnimationExporter(this)),
+      exportImage_(new QAction(icon(QStringLiteral("document-export")), tr("&Export Image…"), this)),
       exportAnimation_(new QAction(icon(QStringLiteral("timeline")), tr("Export Ani&mation…"), this)) {
+    exportImage_->setShortcut(Qt::CTRL | Qt::Key_E);
+    exportImage_->setStatusTip(tr("Save the picture that is in the view"));
+    connect(exportImage_, &QAction::triggered, imageExporter_, &ImageExporter::ask);
+    connect(imageExporter_, &ImageExporter::message, this, &ExportActions::message);
     exportAnimation_->setShortcut(Qt::CTRL | Qt::SHIFT | Qt::Key_E);
     exportAnimation_->setStatusTip(tr("Render the frames of the timeline into pictures or a video"));
     connect(exportAnimation_, &QAction::triggered, this, [this] {

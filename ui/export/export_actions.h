@@ -3,6 +3,7 @@
 #include "core/diagnostic.h"
 #include "core/render/animation_export.h"
 
+#include <QList>
 #include <QObject>
 
 class QAction;
@@ -12,9 +13,10 @@ namespace prizma {
 
 class AnimationExporter;
 class Document;
+class ImageExporter;
 class RenderSession;
 
-/// File > Export Animation: asks, exports in the background, and shows how far that is.
+/// File > Export Image and Export Animation: asks, exports in the background, and shows how far that is.
 class ExportActions : public QObject {
     Q_OBJECT
 
@@ -22,7 +24,8 @@ class ExportActions : public QObject {
     /// Keeps references to all of them.
     ExportActions(Document& document, RenderSession& session, QWidget& window);
 
-    QAction* exportAnimation() const { return exportAnimation_; }
+    QList<QAction*> actions() const { return {exportImage_, exportAnimation_}; }
+    ImageExporter& imageExporter() { return *imageExporter_; }
     AnimationExporter& exporter() { return *exporter_; }
 
   Q_SIGNALS:
@@ -36,7 +39,9 @@ class ExportActions : public QObject {
     Document& document_;
     RenderSession& session_;
     QWidget& window_;
+    ImageExporter* imageExporter_;
     AnimationExporter* exporter_;
+    QAction* exportImage_;
     QAction* exportAnimation_;
 };
 

@@ -1,6 +1,5 @@
 #include "ui/main_window/file_actions.h"
 
-#include "core/import/image_loader.h"
 #include "core/scene/starter_scene.h"
 #include "ui/document/document.h"
 #include "ui/document/edits.h"
@@ -9,17 +8,14 @@
 #include "ui/import/import_controller.h"
 #include "ui/import/import_options_dialog.h"
 #include "ui/import/import_settings.h"
+#include "ui/main_window/file_dialog.h"
 #include "ui/main_window/theme.h"
-#include "ui/viewport/viewport.h"
 
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMessageBox>
-#include <QSettings>
-#include <QStandardPaths>
 
 #include <algorithm>
 
@@ -30,27 +26,6 @@ const QString projectSuffix = QStringLiteral("prizma");
 
 bool isProject(const QString& file) {
     return QFileInfo(file).suffix().toLower() == projectSuffix;
-}
-
-/// The folder that a file dialog opened last time, one for each purpose.
-QString lastFolder(const QString& purpose) {
-    const QString home = QStandardPaths::writableLocation(QStandardPaths::HomeLocation);
-    return QSettings().value(QStringLiteral("folders/") + purpose, home).toString();
-}
-
-/// A dialog that remembers where it was and calls `use` with what was chosen.
-void showFileDialog(QFileDialog* dialog, const QString& purpose,
-                    std::function<void(const QStringList&)> use) {
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    if (dialog->directory() == QDir::current())
-        dialog->setDirectory(lastFolder(purpose));
-    QObject::connect(dialog, &QFileDialog::filesSelected, dialog,
-                     [purpose, use = std::move(use)](const QStringList& files) {
-                         QSettings().setValue(QStringLiteral("folders/") + purpose,
-                                              QFileInfo(files.value(0)).absolutePath());
-                         use(files);
-                     });
-    dialog->open();
 }
 
 QString patternsOf(const std::vector<std::string>& extensions) {
@@ -85,12 +60,10 @@ QStringList toQStrings(const std::vector<std::string>& texts) {
 
 } // namespace
 
-FileActions::FileActions(Document& document, ImportController& importer, Viewport& viewport,
-                         QMainWindow& window)
+FileActions::FileActions(Document& document, ImportController& importer, QMainWindow& window)
     : QObject(&window),
       document_(document),
       importer_(importer),
-      viewport_(viewport),
       window_(window),
       unsavedChanges_(
           document, [this](const std::function<void()>& whenSaved) { save(whenSaved); }, window) {
@@ -103,7 +76,7 @@ FileActions::FileActions(Document& document, ImportController& importer, Viewpor
     });
 }
 
-void FileActions::fillMenu(QMenu& menu, QAction* exportAnimation) {
+void FileActions::fillMenu(QMenu& menu, const QList<QAction*>& exports) {
     const auto add = [&](const char* iconName, const QString& text, const QKeySequence& key, auto&& slot) {
         QAction* action = menu.addAction(icon(QString::fromLatin1(iconName)), text, this, slot);
         action->setShortcut(key);
@@ -127,10 +100,7 @@ void FileActions::fillMenu(QMenu& menu, QAction* exportAnimation) {
     add("document-import", tr("Import A&nimation…"), Qt::CTRL | Qt::SHIFT | Qt::Key_I, [this] {
         importAnimation();
     })->setStatusTip(tr("Give the selected object the clips of animation files"));
-    add("document-export", tr("&Export Image…"), Qt::CTRL | Qt::Key_E, [this] {
-        exportImage();
-    })->setStatusTip(tr("Save the picture that is in the view"));
-    menu.addAction(exportAnimation);
+    menu.addActions(exports);
     menu.addSeparator();
     QAction* quit = add("application-exit", tr("&Quit"), QKeySequence::Quit, [this] { window_.close(); });
     quit->setShortcut(Qt::CTRL | Qt::Key_Q); // no desktop, no standard key
@@ -313,39 +283,6 @@ void FileActions::takeModels(const QStringList& files) {
                 names.push_back(toStdString(file));
             const BatchFiles sorted = sortFiles(names);
             return [this, sorted] { askAndImport(toQStrings(sorted.models), toQStrings(sorted.animations)); };
-        },
-        this);
-}
-
-void FileActions::exportImage() {
-    if (!viewport_.lastFrame()) {
-        report(tr("There Is No Picture Yet"), tr("Nothing has been rendered so far."));
-        return;
-    }
-    auto* dialog = new QFileDialog(&window_, tr("Export the Picture"));
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setNameFilter(tr("PNG pictures (*.png)"));
-    dialog->setDefaultSuffix(QStringLiteral("png"));
-    dialog->selectFile(QFileInfo(document_.title()).completeBaseName() + QStringLiteral(".png"));
-    showFileDialog(dialog, QStringLiteral("picture"),
-                   [this](const QStringList& files) { exportImageTo(files.value(0)); });
-}
-
-void FileActions::exportImageTo(const QString& file) {
-    const FramePtr frame = viewport_.lastFrame();
-    if (!frame)
-        return;
-    new BackgroundJob(
-        tr("Writing %1…").arg(QFileInfo(file).fileName()),
-        [this, file, frame](Progress&) -> BackgroundJob::Delivery {
-            const auto written = savePng(toStdString(file), frame->width, frame->height, frame->pixels);
-            return [this, file, written] {
-                if (written)
-                    Q_EMIT message({Severity::Information, toStdString(tr("The picture was saved.")),
-                                    toStdString(file), 0});
-                else
-                    Q_EMIT message(written.error());
-            };
         },
         this);
 }

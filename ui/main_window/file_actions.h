@@ -20,17 +20,16 @@ namespace prizma {
 
 class Document;
 class ImportController;
-class Viewport;
 
 /// The File menu and what stands behind it.
 class FileActions : public QObject {
     Q_OBJECT
 
   public:
-    FileActions(Document& document, ImportController& importer, Viewport& viewport, QMainWindow& window);
+    FileActions(Document& document, ImportController& importer, QMainWindow& window);
 
-    /// `exportAnimation` stands beside the export of a picture.
-    void fillMenu(QMenu& menu, QAction* exportAnimation);
+    /// `exports` stand below the imports.
+    void fillMenu(QMenu& menu, const QList<QAction*>& exports);
 
     void openFile(const QString& file); ///< Asks before unsaved work is lost.
     void
@@ -40,7 +39,6 @@ class FileActions : public QObject {
                      const QStringList& animations = {});
     void importAnimationFiles(const QStringList& files); ///< For the selected object.
     void saveFile(const QString& file, const std::function<void()>& whenSaved = {});
-    void exportImageTo(const QString& file);
 
     /// Files from the command line, dropped on the window or chosen for import: projects are opened, anything
     /// else is imported, animations together with the models among the files or else for the selected object.
@@ -61,14 +59,12 @@ class FileActions : public QObject {
     void importAnimation();
     void takeModels(const QStringList& files);
     void askAndImport(const QStringList& models, const QStringList& animations);
-    void exportImage();
     void load(const QString& file, bool asSample);
     void takeProject(const QString& file, const std::shared_ptr<Project>& project);
     void report(const QString& title, const QString& text);
 
     Document& document_;
     ImportController& importer_;
-    Viewport& viewport_;
     QMainWindow& window_;
     RecentFiles recentFiles_;
     UnsavedChanges unsavedChanges_;

@@ -70,7 +70,7 @@ MainWindow::MainWindow(const QString& deviceId, QWidget* parent)
       playbackActions_(new PlaybackActions(*timeline_, this)),
       timelinePanel_(new TimelinePanel(*document_, *timeline_, *playbackActions_)),
       statusBar_(new StatusBar),
-      fileActions_(new FileActions(*document_, *importer_, *viewport_, *this)),
+      fileActions_(new FileActions(*document_, *importer_, *this)),
       editActions_(new EditActions(*document_, *this)),
       exportActions_(new ExportActions(*document_, *session_, *this)),
       viewActions_(new ViewActions(*document_, *session_, *viewport_, *this)),
@@ -164,7 +164,7 @@ void MainWindow::makePanels() {
 }
 
 void MainWindow::makeMenus() {
-    fileActions_->fillMenu(*menuBar()->addMenu(tr("&File")), exportActions_->exportAnimation());
+    fileActions_->fillMenu(*menuBar()->addMenu(tr("&File")), exportActions_->actions());
     editActions_->fillEditMenu(*menuBar()->addMenu(tr("&Edit")));
     editActions_->fillAddMenu(*menuBar()->addMenu(tr("&Add")));
     QList<QAction*> toggles;

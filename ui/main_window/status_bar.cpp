@@ -17,6 +17,7 @@ StatusBar::StatusBar(QWidget* parent)
       task_(new QLabel),
       progress_(new QProgressBar),
       cancel_(new QToolButton),
+      denoised_(new QLabel(tr("Denoised preview"))),
       samples_(new QLabel),
       device_(new QToolButton) {
     activity_->setObjectName(QStringLiteral("activity"));
@@ -29,6 +30,11 @@ StatusBar::StatusBar(QWidget* parent)
     cancel_->setIcon(icon(QStringLiteral("process-stop")));
     cancel_->setToolTip(tr("Cancel"));
     cancel_->setAutoRaise(true);
+    denoised_->setObjectName(QStringLiteral("denoisedMark"));
+    denoised_->setToolTip(tr("The picture in the view is smoothed; files are written as it is"));
+    QPalette marked = denoised_->palette();
+    marked.setColor(QPalette::WindowText, theme::accent());
+    denoised_->setPalette(marked);
     samples_->setObjectName(QStringLiteral("samples"));
     samples_->setToolTip(tr("Samples in each pixel so far, and how many there will be"));
     device_->setObjectName(QStringLiteral("device"));
@@ -40,9 +46,10 @@ StatusBar::StatusBar(QWidget* parent)
     connect(cancel_, &QToolButton::clicked, this, &StatusBar::cancelRequested);
     connect(device_, &QToolButton::clicked, this, &StatusBar::deviceClicked);
     for (QWidget* widget :
-         std::initializer_list<QWidget*>{activity_, task_, progress_, cancel_, samples_, device_})
+         std::initializer_list<QWidget*>{activity_, task_, progress_, cancel_, denoised_, samples_, device_})
         addPermanentWidget(widget);
     activity_->hide();
+    denoised_->hide();
     endProgress();
     setSizeGripEnabled(false);
 }
@@ -53,7 +60,8 @@ void StatusBar::setActivity(const QString& what, bool running) {
 }
 
 void StatusBar::setFrame(const FramePtr& frame) {
-    samples_->setText(tr("Samples %1/%2").arg(frame->samples).arg(frame->sampleLimit));
+    samples_->setText(tr("%1 of %2 samples").arg(frame->samples).arg(frame->sampleLimit));
+    denoised_->setVisible(frame->isDenoised);
 }
 
 void StatusBar::setDevice(const DeviceInfo& device) {

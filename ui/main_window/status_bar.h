@@ -35,6 +35,7 @@ class StatusBar : public QStatusBar {
     QLabel* task_;
     QProgressBar* progress_;
     QToolButton* cancel_;
+    QLabel* denoised_;
     QLabel* samples_;
     QToolButton* device_;
 };

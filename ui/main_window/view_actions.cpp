@@ -34,7 +34,9 @@ ViewActions::ViewActions(Document& document, RenderSession& session, Viewport& v
       pause_(makeAction("media-playback-pause", tr("&Pause Rendering"), {Qt::Key_P})),
       statistics_(makeAction("view-statistics", tr("&Statistics"), {Qt::Key_F3})),
       skeletons_(makeAction("skeleton", tr("S&keletons"), {Qt::Key_B})),
-      shaders_(new QActionGroup(this)) {
+      shaders_(new QActionGroup(this)),
+      transforms_(new QActionGroup(this)),
+      denoise_(makeAction("denoise", tr("&Denoise Preview"), {Qt::CTRL | Qt::SHIFT | Qt::Key_D})) {
     frameSelected_->setStatusTip(tr("Move the camera so that what is selected fills the view"));
     frameAll_->setStatusTip(tr("Move the camera so that the whole scene is in the view"));
     pause_->setCheckable(true);
@@ -58,8 +60,9 @@ ViewActions::ViewActions(Document& document, RenderSession& session, Viewport& v
     skeletons_->setChecked(QSettings().value(skeletonsKey, false).toBool());
     makePresets();
     makeShaders();
-    connect(&document_, &Document::sceneChanged, this, &ViewActions::showShader);
-    showShader();
+    makeDisplays();
+    connect(&document_, &Document::sceneChanged, this, &ViewActions::showSettings);
+    showSettings();
 }
 
 QAction* ViewActions::makeAction(const char* iconName, const QString& text, const QList<QKeySequence>& keys) {
@@ -91,14 +94,35 @@ void ViewActions::makeShaders() {
     }
 }
 
-void ViewActions::showShader() {
-    shaders_->actions().at(static_cast<int>(document_.scene().render.shader))->setChecked(true);
+void ViewActions::makeDisplays() {
+    for (const Choice& choice : choicesOf<ViewTransform>()) {
+        auto* action = new QAction(translated(choice.label), transforms_);
+        action->setCheckable(true);
+        connect(action, &QAction::triggered, this, [this, key = std::string(choice.key)] {
+            document_.setProperty({{EntityKind::Render}}, "viewTransform", key);
+        });
+    }
+    denoise_->setCheckable(true);
+    denoise_->setStatusTip(tr("Smooth the picture in the view along surfaces; files stay as they are"));
+    connect(denoise_, &QAction::triggered, this,
+            [this](bool wanted) { document_.setProperty({{EntityKind::Render}}, "denoise", wanted); });
+}
+
+void ViewActions::showSettings() {
+    const RenderSettings& settings = document_.scene().render;
+    shaders_->actions().at(static_cast<int>(settings.shader))->setChecked(true);
+    transforms_->actions().at(static_cast<int>(settings.viewTransform))->setChecked(true);
+    denoise_->setChecked(settings.denoise);
 }
 
 void ViewActions::fillViewMenu(QMenu& menu, const QList<QAction*>& panelActions, QAction* resetLayout) {
     menu.addActions({frameSelected_, frameAll_});
     menu.addSeparator();
     menu.addActions(presets_);
+    menu.addSeparator();
+    QMenu* display = menu.addMenu(tr("&Colours"));
+    display->addActions(transforms_->actions());
+    menu.addAction(denoise_);
     menu.addSeparator();
     menu.addActions({pause_, statistics_, skeletons_});
     menu.addSeparator();

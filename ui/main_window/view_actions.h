@@ -38,7 +38,8 @@ class ViewActions : public QObject {
     QAction* makeAction(const char* iconName, const QString& text, const QList<QKeySequence>& keys);
     void makePresets();
     void makeShaders();
-    void showShader();
+    void makeDisplays();
+    void showSettings();
 
     Document& document_;
     RenderSession& session_;
@@ -51,6 +52,8 @@ class ViewActions : public QObject {
     QAction* skeletons_;
     QList<QAction*> presets_;
     QActionGroup* shaders_;
+    QActionGroup* transforms_;
+    QAction* denoise_;
     QPointer<QDialog> devices_;
 };
 

@@ -149,10 +149,29 @@ void PropertyEditor::rebuild(const std::vector<PropertyInfo>& properties) {
     grid->setVerticalSpacing(4);
     grid->setColumnMinimumWidth(0, 92);
     grid->setColumnStretch(1, 1);
-    for (const PropertyInfo& property : properties)
+    std::string_view section;
+    for (const PropertyInfo& property : properties) {
+        if (property.section != section)
+            addSection(property.section);
+        section = property.section;
         addRow(property);
+    }
     content_->insertWidget(content_->indexOf(slots_), grid_);
     grid_->show(); // now, not when the event loop comes round
+}
+
+void PropertyEditor::addSection(std::string_view section) {
+    auto* grid = static_cast<QGridLayout*>(grid_->layout());
+    auto* heading = new QLabel(translated(section));
+    heading->setObjectName(QStringLiteral("sectionHeading"));
+    heading->setContentsMargins(0, 8, 0, 0);
+    QFont bold = heading->font();
+    bold.setBold(true);
+    heading->setFont(bold);
+    QPalette dimmed = heading->palette();
+    dimmed.setColor(QPalette::WindowText, theme::dim());
+    heading->setPalette(dimmed);
+    grid->addWidget(heading, grid->rowCount(), 0, 1, grid->columnCount());
 }
 
 void PropertyEditor::addRow(const PropertyInfo& property) {

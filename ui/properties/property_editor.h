@@ -37,6 +37,7 @@ class PropertyEditor : public QWidget {
     void refresh();
     void rebuild(const std::vector<PropertyInfo>& properties);
     void addRow(const PropertyInfo& property);
+    void addSection(std::string_view section);
     void showHeading();
     void report(const QString& fault);
     void loadTexture(const std::string& key, const QString& file);

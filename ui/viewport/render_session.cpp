@@ -53,6 +53,14 @@ void RenderSession::pick(double x, double y, std::function<void(prizma::Pick)> a
     });
 }
 
+void RenderSession::capture(PictureFormat format,
+                            std::function<void(prizma::Result<prizma::Picture>)> answer) {
+    thread_->capture(format, [this, answer = std::move(answer)](Result<Picture> picture) {
+        QMetaObject::invokeMethod(
+            this, [answer, picture = std::move(picture)] { answer(picture); }, Qt::QueuedConnection);
+    });
+}
+
 void RenderSession::post(FramePtr frame) {
     if (!frame)
         return;

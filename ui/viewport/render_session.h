@@ -34,6 +34,10 @@ class RenderSession : public QObject {
     /// thread, or never if this session ends first.
     void pick(double x, double y, std::function<void(prizma::Pick)> answer);
 
+    /// Takes the present picture for a file (RenderThread::capture). `answer` is called on the UI thread, or
+    /// never if this session ends first.
+    void capture(PictureFormat format, std::function<void(prizma::Result<prizma::Picture>)> answer);
+
     /// The device that renders; its id is empty until one does.
     const DeviceInfo& device() const { return device_; }
 

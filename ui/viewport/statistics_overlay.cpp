@@ -64,12 +64,17 @@ void StatisticsOverlay::addSummary(const Frame& frame, double framesPerSecond) {
     const RenderStatistics& statistics = frame.statistics;
     summary_ = {
         {tr("Frames a second"), {}, locale.toString(framesPerSecond, 'f', 0)},
-        {tr("Samples"), {}, QStringLiteral("%1 / %2").arg(frame.samples).arg(frame.sampleLimit)},
+        {tr("Samples"), frame.isDenoised ? tr("denoised preview") : QString(),
+         QStringLiteral("%1 / %2").arg(frame.samples).arg(frame.sampleLimit)},
         {tr("Resolution"), {}, QStringLiteral("%1 × %2").arg(frame.width).arg(frame.height)},
         {tr("Rays"), {}, raysPerSecond(statistics)},
         {tr("Triangles"), {}, locale.toString(static_cast<qulonglong>(statistics.triangles))},
         {tr("Device memory"), {}, locale.formattedDataSize(static_cast<qint64>(statistics.deviceBytes), 1)},
     };
+    if (statistics.nonFinitePixels > 0)
+        summary_.push_back({tr("Pixels without a number"),
+                            {},
+                            locale.toString(static_cast<qulonglong>(statistics.nonFinitePixels))});
 }
 
 void StatisticsOverlay::addStages(const std::vector<StageStatistics>& stages) {

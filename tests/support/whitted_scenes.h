@@ -173,18 +173,24 @@ inline Scene lightScene() {
     addLight(scene, sun);
     Light panel;
     panel.type = LightType::Rectangle;
-    panel.position = {0.0, 3.0, -1.0};
-    panel.rotation = rotationFromEulerDegrees({20.0, 0.0, 15.0});
+    panel.position = {0.0, 2.2, -1.4};
+    panel.rotation = rotationFromEulerDegrees({-70.0, 0.0, 15.0});
     panel.size = {1.0, 0.5};
     panel.radiance = 12.0;
     addLight(scene, panel);
     Light bulb;
     bulb.type = LightType::Sphere;
-    bulb.position = {0.2, 1.9, 1.0};
+    bulb.position = {0.3, 1.7, 1.0};
     bulb.radius = 0.2;
     bulb.radiance = 15.0;
     bulb.color = {0.5, 0.7, 1.0};
     addLight(scene, bulb);
+    bulb.position = {-0.4, 0.9, 1.2};
+    bulb.radius = 0.1;
+    bulb.visible = false; // but in the mirror
+    addLight(scene, bulb);
+    addPrimitive(scene, PrimitiveType::Plane, 2.0, mirrorMaterial(), {-0.2, 1.0, -1.0}).transform.rotation =
+        rotationFromEulerDegrees({90, 0, 0});
     Light off = pointLight({0, 2, 2}, 500.0);
     off.enabled = false;
     addLight(scene, off);
@@ -266,7 +272,7 @@ inline Scene alphaScene() {
                                 return glm::ivec4(200, 120, 60, (x * y) % 3 == 0 ? 40 : 240);
                             });
                             m.alphaMode = AlphaMode::Mask;
-                            m.roughness = 0.6;
+                            m.specular = 0.0;
                         }),
           {0.4, 0.8, 1.0}, -15.0);
     sheet(namedMaterial("faded",

@@ -48,9 +48,8 @@ Texture PictureReader::embedded(const std::string& name, const std::function<Res
 }
 
 Texture PictureReader::made(const std::string& recipe, const std::function<ImagePtr()>& make) {
-    std::string name = recipe;
-    std::ranges::replace(name, '/', ':'); // no path, which a project file would take to pieces
-    std::ranges::replace(name, '\\', ':');
+    std::string name = cleanFileName(recipe); // as a project file that refers to it is read
+    std::ranges::replace(name, '/', ':');
     return embedded(name, [&]() -> Result<ImagePtr> { return make(); });
 }
 

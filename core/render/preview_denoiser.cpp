@@ -80,8 +80,8 @@ Result<void> PreviewDenoiser::resize(Context& context, int width, int height) {
     return ok;
 }
 
-Result<void> PreviewDenoiser::launch(Context& context, Kernel& kernel, std::size_t items) {
-    const auto launched = kernel.launch(context, items, groupSize_);
+Result<void> PreviewDenoiser::launch(Context& context, Kernel& kernel, std::size_t items, std::size_t group) {
+    const auto launched = kernel.launch(context, items, group);
     if (!launched)
         return std::unexpected(launched.error());
     if (auto ok = context.finish(); !ok)
@@ -91,34 +91,39 @@ Result<void> PreviewDenoiser::launch(Context& context, Kernel& kernel, std::size
 }
 
 Result<void> PreviewDenoiser::takeGuides(Context& context, KernelSet& kernels, const DeviceScene& scene,
-                                         DeviceView view, const Buffer<DeviceRay>& rays,
-                                         const Buffer<DeviceHit>& hits) {
+                                         DeviceView view) {
     if (auto ok = resize(context, view.width, view.height); !ok)
         return ok;
     const auto count = static_cast<std::uint32_t>(pixelCountOf(view.width, view.height));
+    if (auto ok = rays_.reserve(context, count, "denoiser"); !ok)
+        return ok;
+    if (auto ok = hits_.reserve(context, count, "denoiser"); !ok)
+        return ok;
     view.jitter[0] = view.jitter[1] = 0.5f;
     view.lensRadius =
         0.0f; // guides are sharp: what is out of focus scatters, and so is smoothed all the same
     view.firstPixel = 0;
     view.pixelCount = count;
     milliseconds_ = 0.0;
-    kernels.generateCameraRays.setArguments(view, rays);
-    if (auto ok = launch(context, kernels.generateCameraRays, count); !ok)
+    kernels.generateCameraRays.setArguments(view, rays_);
+    if (auto ok = launch(context, kernels.generateCameraRays, count, groupSize_); !ok)
         return ok;
     Kernel& trace = kernels.tracePacket;
     scene.setSceneArguments(trace);
-    trace.addArgument(rays);
-    trace.addArgument(hits);
+    trace.addArgument(rays_);
+    trace.addArgument(hits_);
     trace.addArgument(0u);
     trace.addArgument(count);
-    if (auto ok = launch(context, trace, (count + kernels.raysAPacket - 1) / kernels.raysAPacket); !ok)
+    if (auto ok = launch(context, trace, (count + kernels.raysAPacket - 1) / kernels.raysAPacket,
+                         kernels.packetGroupSize());
+        !ok)
         return ok;
     scene.setSceneArguments(guidesKernel_);
     guidesKernel_.addArgument(view);
-    guidesKernel_.addArgument(rays);
-    guidesKernel_.addArgument(hits);
+    guidesKernel_.addArgument(rays_);
+    guidesKernel_.addArgument(hits_);
     guidesKernel_.addArgument(guides_);
-    if (auto ok = launch(context, guidesKernel_, places(width_, height_)); !ok)
+    if (auto ok = launch(context, guidesKernel_, places(width_, height_), groupSize_); !ok)
         return ok;
     guideMilliseconds_ = milliseconds_;
     return {};
@@ -143,21 +148,21 @@ Result<SummedPicture> PreviewDenoiser::denoise(Context& context, const SummedPic
         (static_cast<std::size_t>(width_) + lanes_ - 1) / lanes_ * static_cast<std::size_t>(height_);
     demodulate_.setArguments(picture.sums, guides_, history_, light_[0], light_[1], width_, height_, samples,
                              batch, std::max(batches_, 1));
-    auto ok = launch(context, demodulate_, all);
+    auto ok = launch(context, demodulate_, all, groupSize_);
     int from = 0;
     if (ok && batches_ < fewBatches) {
         spatialVariance_.setArguments(guides_, light_[0], light_[1], width_, height_);
-        ok = launch(context, spatialVariance_, items);
+        ok = launch(context, spatialVariance_, items, groupSize_);
         from = 1;
     }
     for (int i = 0; i < steps && ok; ++i) {
         waveletStep_.setArguments(guides_, light_[from], light_[1 - from], width_, height_, 1 << i);
-        ok = launch(context, waveletStep_, items);
+        ok = launch(context, waveletStep_, items, groupSize_);
         from = 1 - from;
     }
     if (ok) {
         modulate_.setArguments(picture.sums, guides_, light_[from], pixels_, width_, height_, samples);
-        ok = launch(context, modulate_, all);
+        ok = launch(context, modulate_, all, groupSize_);
     }
     if (!ok)
         return std::unexpected(ok.error());

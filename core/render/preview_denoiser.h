@@ -21,10 +21,8 @@ class PreviewDenoiser {
   public:
     static Result<PreviewDenoiser> create(Context& context, TreeLayout layout, std::size_t groupSize);
 
-    /// Finds the surfaces that `view` sees, for the pictures to come. `rays` and `hits` are for its use, with
-    /// room for a picture.
-    Result<void> takeGuides(Context& context, KernelSet& kernels, const DeviceScene& scene, DeviceView view,
-                            const Buffer<DeviceRay>& rays, const Buffer<DeviceHit>& hits);
+    /// Finds the surfaces that `view` sees, for the pictures to come.
+    Result<void> takeGuides(Context& context, KernelSet& kernels, const DeviceScene& scene, DeviceView view);
 
     /// The denoised picture, as a sum of one sample; it stays until the next call. Its alpha is the mean
     /// coverage. A pixel that is no number stays so and spreads nowhere.
@@ -44,13 +42,15 @@ class PreviewDenoiser {
     PreviewDenoiser() = default;
 
     Result<void> resize(Context& context, int width, int height);
-    Result<void> launch(Context& context, Kernel& kernel, std::size_t items);
+    Result<void> launch(Context& context, Kernel& kernel, std::size_t items, std::size_t group);
 
     Kernel guidesKernel_, demodulate_, spatialVariance_, waveletStep_, modulate_;
     std::size_t groupSize_ = 64;
     std::size_t lanes_ = 1;
 
     int width_ = 0, height_ = 0;
+    Buffer<DeviceRay> rays_; ///< Through the middle of each pixel, for the guides.
+    Buffer<DeviceHit> hits_;
     Buffer<float> guides_;
     Buffer<float> history_; ///< Of the samples' scatter: two planes.
     Buffer<float> light_[2];

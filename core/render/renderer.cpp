@@ -289,14 +289,9 @@ Result<SummedPicture> Renderer::denoised() {
         denoiser_ = std::move(*made);
         hasGuides_ = false;
     }
-    if (!hasGuides_) {
-        if (auto ok = film_.reserveRays(*context_); !ok)
+    if (!hasGuides_)
+        if (auto ok = denoiser_->takeGuides(*context_, *kernels_, *deviceScene_, view_); !ok)
             return std::unexpected(ok.error());
-        if (auto ok =
-                denoiser_->takeGuides(*context_, *kernels_, *deviceScene_, view_, film_.rays, film_.hits);
-            !ok)
-            return std::unexpected(ok.error());
-    }
     hasGuides_ = true;
     return denoiser_->denoise(*context_, summed());
 }

@@ -45,6 +45,7 @@ class TestImageExport : public QObject {
     void deepPictureHoldsTheSameColours();
     void exrIsLinear();
     void denoisedPreviewIsMarkedAndNeverSaved();
+    void overlayCountsWhatIsNoNumber();
     void pausingKeepsTheSamples();
     void dialogOffersTheFormats();
     void faultIsTold();
@@ -164,6 +165,16 @@ void TestImageExport::denoisedPreviewIsMarkedAndNeverSaved() {
     trigger(*window_, QStringLiteral("View/Denoise Preview"));
     trigger(*window_, QStringLiteral("Render/Shader/Normals"));
     QVERIFY(settledFrame([](const Frame& f) { return !f.isDenoised; }));
+}
+
+void TestImageExport::overlayCountsWhatIsNoNumber() {
+    StatisticsOverlay overlay(nullptr);
+    Frame frame = *viewport().lastFrame();
+    overlay.show(std::make_shared<Frame>(frame), 0.0);
+    QVERIFY(!overlay.text().contains(QStringLiteral("without a number")));
+    frame.statistics.nonFinitePixels = 17;
+    overlay.show(std::make_shared<Frame>(frame), 0.0);
+    QVERIFY(overlay.text().contains(QStringLiteral("Pixels without a number\t\t17")));
 }
 
 void TestImageExport::pausingKeepsTheSamples() {

@@ -71,6 +71,10 @@ void StatisticsOverlay::addSummary(const Frame& frame, double framesPerSecond) {
         {tr("Triangles"), {}, locale.toString(static_cast<qulonglong>(statistics.triangles))},
         {tr("Device memory"), {}, locale.formattedDataSize(static_cast<qint64>(statistics.deviceBytes), 1)},
     };
+    if (statistics.nonFinitePixels > 0)
+        summary_.push_back({tr("Pixels without a number"),
+                            {},
+                            locale.toString(static_cast<qulonglong>(statistics.nonFinitePixels))});
 }
 
 void StatisticsOverlay::addStages(const std::vector<StageStatistics>& stages) {

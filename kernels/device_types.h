@@ -218,6 +218,7 @@ typedef struct {
     DeviceUint seed;
     float lensRadius;
     float focusDistance; // along `forward`
+    DeviceUint scattered; // each pixel has a place inside it of its own instead of `jitter`
 } DeviceView;
 
 // What RayShader needs to know beside the scene.
@@ -307,7 +308,7 @@ static_assert(sizeof(DeviceLightNode) == 64);
 static_assert(sizeof(DeviceEmitter) == 8);
 static_assert(sizeof(DeviceFarLight) == 12);
 static_assert(sizeof(DeviceLightSet) == 24);
-static_assert(sizeof(DeviceView) == 88);
+static_assert(sizeof(DeviceView) == 92);
 static_assert(sizeof(DeviceShading) == 52);
 static_assert(sizeof(DeviceSkinVertex) == 32);
 static_assert(sizeof(DeviceInfluenceQuad) == 32);

@@ -164,6 +164,7 @@ DeviceView Renderer::viewOf(const Scene& scene, int width, int height) const {
     const glm::vec2 jitter = sobolPoint(view.sample);
     view.jitter[0] = jitter.x;
     view.jitter[1] = jitter.y;
+    view.scattered = scene.render.shader == ShaderType::Path ? 1 : 0;
     return view;
 }
 

@@ -232,6 +232,7 @@ inline Scene textureScene() {
         m.metallic = 0.8;
         m.roughness = 1.0;
         m.metallicRoughnessTexture = randomPicture(4, 3, 90);
+        m.specularColor = {1.0, 0.6, 0.3};
         m.specularTexture = randomPicture(4, 4, 0, true);
         m.normalTexture =
             pictureOf(4, [](int x, int y) { return glm::ivec4(100 + 20 * x, 150 - 15 * y, 230, 255); });
@@ -359,6 +360,7 @@ inline Scene randomScene(unsigned seed) {
             m.metallic = kind == 1 || kind == 2 ? 1.0 : 0.3 * unit(random);
             m.transmission = kind == 3 ? 1.0 : (kind == 4 ? unit(random) : 0.0);
             m.specular = unit(random);
+            m.specularColor = color();
             m.ior = 1.05 + unit(random);
             m.attenuationColor = 0.2 + 0.8 * color();
             m.attenuationDistance = kind >= 3 ? 1.0 : 0.0;

@@ -62,7 +62,7 @@ class Bin {
     }
 
   private:
-    LightBounds bounds_{.emission = 0.0f};
+    LightBounds bounds_{.box = {}, .normals = {}, .emission = 0.0f};
     glm::vec3 sum_{0.0f};
     float cosine_ = 1.0f, angle_ = 0.0f;
 };

@@ -152,12 +152,19 @@ void MaterialReader::readGltf(const aiMaterial& source, unsigned index, Material
     material.emissionStrength = std::max(0.0, extras.emissiveStrength.value_or(1.0));
     material.specular = fraction(extras.specular.value_or(1.0));
     material.specularColor = glm::max(extras.specularColor.value_or(glm::dvec3(1.0)), 0.0);
-    material.specularTexture = readNamed(extras.specularImage);
+    material.specularTexture = specularTexture(extras);
     if (extras.hasMovedTextures)
         pictures_.warn("Textures of \"" + material.name +
                            "\" are moved or scaled (KHR_texture_transform), which is not supported: they are "
                            "used as they are.",
                        file_);
+}
+
+Texture MaterialReader::specularTexture(const GltfExtras& extras) {
+    if (extras.specularContent.empty())
+        return pictures_.read(extras.specularFile);
+    const std::string name = "image " + std::to_string(extras.specularImage);
+    return pictures_.embedded(name, [&] { return decodeImage(extras.specularContent, file_ + "#" + name); });
 }
 
 Texture MaterialReader::baseColorTexture(const aiMaterial& source) {
@@ -191,12 +198,12 @@ void MaterialReader::readTextures(const aiMaterial& source, Material& material) 
 void MaterialReader::readMetallicRoughness(const aiMaterial& source, Material& material) {
     const Texture metallic = readTexture(source, aiTextureType_METALNESS);
     const Texture roughness = readTexture(source, aiTextureType_DIFFUSE_ROUGHNESS);
-    if (!metallic.image && !roughness.image)
-        return;
     if (metallic.file == roughness.file) { // packed, as glTF has it
         material.metallicRoughnessTexture = metallic;
         return;
     }
+    if (!metallic.image && !roughness.image)
+        return;
     // Apart they come from programs in which a texture takes the number's place.
     material.metallic = metallic.image ? 1.0 : material.metallic;
     material.roughness = roughness.image ? 1.0 : material.roughness;

@@ -34,6 +34,7 @@ class MaterialReader {
     Material readPhong(const aiMaterial& source);
     Material readPhysical(const aiMaterial& source);
     void readGltf(const aiMaterial& source, unsigned index, Material& material);
+    Texture specularTexture(const GltfExtras& extras);
     Texture readTexture(const aiMaterial& source, aiTextureType type);
     Texture readNamed(const std::string& name);
     Texture baseColorTexture(const aiMaterial& source);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -11,16 +12,48 @@ namespace {
 
 using nlohmann::json;
 
-/// The JSON text: all of a .gltf, the first chunk of a .glb.
-std::string_view jsonOf(std::string_view content) {
-    constexpr std::size_t headerBytes = 20; // "glTF", version, length, and the chunk's length and type
+/// The JSON text: all of a .gltf, the first chunk of a .glb, whose second is its own buffer.
+struct Chunks {
+    std::string_view json, binary;
+};
+
+Chunks chunksOf(std::string_view content) {
+    constexpr std::size_t fileHeader = 12; // "glTF", version, length
+    constexpr std::size_t chunkHeader = 8; // length, type
     if (!content.starts_with("glTF"))
-        return content;
-    if (content.size() < headerBytes)
-        return {};
-    std::uint32_t length = 0;
-    std::memcpy(&length, content.data() + 12, sizeof length);
-    return content.substr(headerBytes, length);
+        return {content, {}};
+    content.remove_prefix(std::min(fileHeader, content.size()));
+    const auto next = [&]() -> std::string_view {
+        if (content.size() < chunkHeader)
+            return {};
+        std::uint32_t length = 0;
+        std::memcpy(&length, content.data(), sizeof length);
+        const std::string_view chunk = content.substr(chunkHeader, length);
+        content.remove_prefix(chunkHeader + chunk.size());
+        return chunk;
+    };
+    const std::string_view text = next();
+    return {text, next()};
+}
+
+/// What of `text` is base64, up to the first character that is not.
+std::string fromBase64(std::string_view text) {
+    constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bytes;
+    std::uint32_t bits = 0;
+    int count = 0;
+    for (const char c : text) {
+        const std::size_t digit = digits.find(c);
+        if (digit == std::string_view::npos)
+            break;
+        bits = bits << 6 | static_cast<std::uint32_t>(digit);
+        count += 6;
+        if (count >= 8) {
+            count -= 8;
+            bytes.push_back(static_cast<char>(bits >> count & 255U));
+        }
+    }
+    return bytes;
 }
 
 /// Member `name` of an object; null where there is none.
@@ -58,21 +91,36 @@ std::optional<glm::dvec3> color(const json& value) {
     return rgb;
 }
 
-std::string imageName(const json& file, const json& texture) {
+std::size_t index(const json& value) {
+    return value.is_number_unsigned() ? value.get<std::size_t>() : 0;
+}
+
+/// A picture's content in a .glb's own buffer.
+std::string contentOf(const json& file, const json& image, std::string_view binary) {
+    const json& view = element(member(file, "bufferViews"), member(image, "bufferView"));
+    const std::size_t offset = index(member(view, "byteOffset"));
+    if (!view.is_object() || index(member(view, "buffer")) != 0 || offset > binary.size())
+        return {};
+    return std::string(binary.substr(offset, index(member(view, "byteLength"))));
+}
+
+void readSpecularTexture(const json& file, const json& texture, std::string_view binary, GltfExtras& extras) {
+    constexpr std::string_view inText = ";base64,";
     const json& source = member(element(member(file, "textures"), member(texture, "index")), "source");
     const json& image = element(member(file, "images"), source);
-    const json& uri = member(image, "uri");
-    if (uri.is_string() && !uri.get_ref<const std::string&>().starts_with("data:"))
-        return uri.get<std::string>();
     if (!image.is_object())
-        return {};
-    // assimp numbers the pictures inside the file as they come.
-    std::size_t number = 0;
-    for (std::size_t i = 0; i < source.get<std::size_t>(); ++i) {
-        const json& other = member(member(file, "images")[i], "uri");
-        number += !other.is_string() || other.get_ref<const std::string&>().starts_with("data:") ? 1 : 0;
+        return;
+    extras.specularImage = static_cast<int>(index(source));
+    const json& uri = member(image, "uri");
+    if (!uri.is_string()) {
+        extras.specularContent = contentOf(file, image, binary);
+        return;
     }
-    return "*" + std::to_string(number);
+    const std::string_view text = uri.get_ref<const std::string&>();
+    if (!text.starts_with("data:"))
+        extras.specularFile = text;
+    else if (const std::size_t start = text.find(inText); start != std::string_view::npos)
+        extras.specularContent = fromBase64(text.substr(start + inText.size()));
 }
 
 /// Whether a texture anywhere in the material is moved or scaled.
@@ -87,7 +135,7 @@ bool hasTransform(const json& value) {
     return false;
 }
 
-GltfExtras extrasOf(const json& file, const json& material) {
+GltfExtras extrasOf(const json& file, const json& material, std::string_view binary) {
     GltfExtras extras;
     const json& extensions = member(material, "extensions");
     extras.emissiveStrength =
@@ -95,7 +143,7 @@ GltfExtras extrasOf(const json& file, const json& material) {
     const json& specular = member(extensions, "KHR_materials_specular");
     extras.specular = number(member(specular, "specularFactor"));
     extras.specularColor = color(member(specular, "specularColorFactor"));
-    extras.specularImage = imageName(file, member(specular, "specularTexture"));
+    readSpecularTexture(file, member(specular, "specularTexture"), binary, extras);
     extras.hasMovedTextures = hasTransform(material);
     return extras;
 }
@@ -105,11 +153,12 @@ GltfExtras extrasOf(const json& file, const json& material) {
 std::vector<GltfExtras> readGltfExtras(std::string_view content) {
     constexpr int deepest = 64;
     const auto notTooDeep = [](int depth, json::parse_event_t, json&) { return depth < deepest; };
-    const json file = json::parse(jsonOf(content), notTooDeep, false);
+    const Chunks chunks = chunksOf(content);
+    const json file = json::parse(chunks.json, notTooDeep, false);
     std::vector<GltfExtras> list;
     if (const json& materials = member(file, "materials"); materials.is_array())
         for (const json& material : materials)
-            list.push_back(extrasOf(file, material));
+            list.push_back(extrasOf(file, material, chunks.binary));
     return list;
 }
 

@@ -106,10 +106,14 @@ class SurfaceTest : public QObject {
     void farTextureConverges_data();
     void farTextureConverges();
     void mirroredTextureIsFiltered();
+    void blendedShadow_data();
     void blendedShadow();
+    void blendedSurfaceShowsWhatIsBehind_data();
     void blendedSurfaceShowsWhatIsBehind();
+    void maskedShadowAndSurface_data();
     void maskedShadowAndSurface();
     void opaqueModeIgnoresAlpha();
+    void singleSided_data();
     void singleSided();
     void manyHolesInARow();
 
@@ -124,6 +128,13 @@ class SurfaceTest : public QObject {
         if (picture->nonFinitePixels != 0)
             qFatal("%u pixels are not finite", static_cast<unsigned>(picture->nonFinitePixels));
         return std::move(*picture);
+    }
+
+    /// A row for each shader that has to agree; the test fetches "shader".
+    static void addShaders() {
+        QTest::addColumn<ShaderType>("shader");
+        QTest::newRow("Whitted") << ShaderType::Whitted;
+        QTest::newRow("Path") << ShaderType::Path;
     }
 
     std::unique_ptr<Renderer> renderer_;
@@ -379,7 +390,7 @@ void SurfaceTest::mirroredTextureIsFiltered() {
 namespace {
 
 /// Ground under slanted light, and sheets above it that do not hide it from the camera.
-Scene sheetScene(const Material& sheet, int count = 1) {
+Scene sheetScene(const Material& sheet, int count = 1, ShaderType shader = ShaderType::Whitted) {
     Scene scene;
     addObject(scene, primitiveObject(PrimitiveType::Plane, 100.0, addMaterial(scene, lambert(1.0))));
     const Id material = addMaterial(scene, sheet);
@@ -398,17 +409,22 @@ Scene sheetScene(const Material& sheet, int count = 1) {
     scene.background.color = glm::dvec3(0.0);
     scene.camera = {{0, 8, 0}, {0, 0, 0}, {0, 0, -1}, 20.0};
     scene.render.samples = 1;
+    scene.render.shader = shader;
     return scene;
 }
 
 } // namespace
 
+void SurfaceTest::blendedShadow_data() {
+    addShaders();
+}
 void SurfaceTest::blendedShadow() {
+    QFETCH(ShaderType, shader);
     for (const double alpha : {0.0, 0.3, 0.9, 1.0})
         for (const int count : {1, 2, 5}) {
-            Material sheet = lambert(1.0);
+            Material sheet = lambert(0.0); // which sends no light to the ground
             sheet.alpha = alpha;
-            const OfflinePicture picture = render(sheetScene(sheet, count), 8, 6);
+            const OfflinePicture picture = render(sheetScene(sheet, count, shader), 8, 6);
             const double expected = std::pow(1.0 - alpha, count);
             for (int y = 0; y < picture.height; ++y)
                 for (int x = 0; x < picture.width; ++x)
@@ -419,7 +435,11 @@ void SurfaceTest::blendedShadow() {
         }
 }
 
+void SurfaceTest::blendedSurfaceShowsWhatIsBehind_data() {
+    addShaders();
+}
 void SurfaceTest::blendedSurfaceShowsWhatIsBehind() {
+    QFETCH(ShaderType, shader);
     Material sheet = emitter(2.0);
     sheet.baseColorTexture = plainTexture({0, 0, 0, 51});
     Scene scene = quadScene(sheet);
@@ -427,25 +447,33 @@ void SurfaceTest::blendedSurfaceShowsWhatIsBehind() {
     behind.transform.translation.z = -1.0;
     behind.transform.scale = glm::dvec3(5.0);
     addObject(scene, behind);
-    const OfflinePicture picture = render(scene);
+    scene.render.shader = shader;
+    scene.render.samples = shader == ShaderType::Path ? 4096 : 1;
+    const OfflinePicture picture = render(scene, 8, 6);
+    // A path sees either 2 or 3: a deviation of 0.4 a sample; 5 of the mean's for the worst of 48 pixels.
+    const double slack = shader == ShaderType::Path ? 5.0 * 0.4 / std::sqrt(4096.0) : 1e-4;
     for (int y = 0; y < picture.height; ++y)
         for (int x = 0; x < picture.width; ++x)
-            QVERIFY(std::abs(pixelOf(picture, x, y).x - (0.2 * 2.0 + 0.8 * 3.0)) < 1e-4);
+            QVERIFY(std::abs(pixelOf(picture, x, y).x - (0.2 * 2.0 + 0.8 * 3.0)) < slack);
 }
 
+void SurfaceTest::maskedShadowAndSurface_data() {
+    addShaders();
+}
 void SurfaceTest::maskedShadowAndSurface() {
+    QFETCH(ShaderType, shader);
     // Left half (-X) below the cut-off, right half above it; the border lies between two texels.
     std::vector<std::uint8_t> bytes;
     for (int i = 0; i < 64; ++i) {
         const std::uint8_t alpha = i % 8 < 4 ? 100 : 140;
         bytes.insert(bytes.end(), {255, 255, 255, alpha});
     }
-    Material sheet = lambert(1.0);
+    Material sheet = lambert(0.0);
     sheet.baseColorTexture = {"mask.png", byteImage(8, 8, bytes)};
     sheet.alphaMode = AlphaMode::Mask;
     for (const double cutoff : {0.3, 120.0 / 255.0, 0.7}) {
         sheet.alphaCutoff = cutoff;
-        const Scene scene = sheetScene(sheet);
+        const Scene scene = sheetScene(sheet, 1, shader);
         const OfflinePicture picture = render(scene, 32, 24);
         for (int y = 0; y < picture.height; ++y)
             for (int x = 0; x < picture.width; ++x) {
@@ -462,6 +490,7 @@ void SurfaceTest::maskedShadowAndSurface() {
         seen.alphaMode = AlphaMode::Mask;
         seen.alphaCutoff = cutoff;
         Scene front = quadScene(seen);
+        front.render.shader = shader;
         front.camera = {{0, 0, 3}, {0, 0, 0}, {0, 1, 0}, 25.0};
         const OfflinePicture shown = render(front);
         for (const int x : {2, 21}) {
@@ -480,10 +509,15 @@ void SurfaceTest::opaqueModeIgnoresAlpha() {
     QCOMPARE(pixelOf(render(sheetScene(sheet), 8, 6), 4, 3).x, 0.0);
 }
 
+void SurfaceTest::singleSided_data() {
+    addShaders();
+}
 void SurfaceTest::singleSided() {
+    QFETCH(ShaderType, shader);
     Material material = emitter(1.0);
     material.doubleSided = false;
     Scene scene = quadScene(material);
+    scene.render.shader = shader;
     QVERIFY(glm::length(pixelOf(render(scene), 12, 9) - glm::dvec3(1.0)) < 1e-5);
     scene.camera.position.z = -3.0; // from behind there is nothing
     QVERIFY(glm::length(pixelOf(render(scene), 12, 9) - scene.background.color) < 1e-5);
@@ -492,10 +526,10 @@ void SurfaceTest::singleSided() {
     scene.objects.edit()[0].transform.scale.x = 1.0;
     QVERIFY(glm::length(pixelOf(render(scene), 12, 9) - glm::dvec3(1.0)) < 1e-5);
 
-    Material sheet = lambert(1.0);
+    Material sheet = lambert(0.0);
     sheet.doubleSided = false;
     // Rays go from the eye on: to one from the ground the sheet above is there if it faces down.
-    Scene shadow = sheetScene(sheet);
+    Scene shadow = sheetScene(sheet, 1, shader);
     QVERIFY(std::abs(pixelOf(render(shadow, 8, 6), 4, 3).x - 1.0) < 1e-5);
     shadow.objects.edit()[1].transform.rotation = rotationFromEulerDegrees({90, 0, 0});
     QCOMPARE(pixelOf(render(shadow, 8, 6), 4, 3).x, 0.0);

@@ -58,7 +58,9 @@ class MaterialImportTest : public QObject {
     void bumpMaps();
     void movedTexturesAreToldOf();
     void gltfSaysEverything();
+    void gltfPicturesInsideTheFile();
     void gltfDefaults();
+    void phongOfOtherFormats();
     void damagedGltfExtrasNeverCrash();
     void normalsOfHeightsPointDownhill();
     void madePicturesSurviveTheProjectFile();
@@ -356,6 +358,33 @@ void MaterialImportTest::gltfSaysEverything() {
     QVERIFY(model.warnings.empty());
 }
 
+void MaterialImportTest::gltfPicturesInsideTheFile() {
+    const auto inside = [&](const char* name) {
+        QFile file(folder_.filePath(name));
+        if (!file.open(QIODevice::ReadOnly))
+            qFatal("no picture");
+        return R"({"uri":"data:image/png;base64,)" + file.readAll().toBase64().toStdString() + R"("})";
+    };
+    const Material m =
+        import(gltf(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":1}},"extensions":)"
+                    R"({"KHR_materials_specular":{"specularTexture":{"index":2}}}})",
+                    R"("images":[{"uri":"grey.png"},)" + inside("red.png") + "," + inside("leaf.png") +
+                        R"(],"textures":[{"source":0},{"source":1},{"source":2}],)"))
+            .materials[0];
+    QVERIFY(m.baseColorTexture.image && m.specularTexture.image);
+    QVERIFY(pixelAt(*m.baseColorTexture.image, 0, 0) == (std::array{255, 0, 0, 255}));
+    QCOMPARE(pixelAt(*m.specularTexture.image, 0, 0)[3], 77);
+}
+
+void MaterialImportTest::phongOfOtherFormats() {
+    const Material m = import(std::string(PRIZMA_TEST_DATA) + "/phong.dae").materials[0];
+    QVERIFY(isNear(m.baseColor, {0.2, 0.4, 0.6}) && isNear(m.alpha, 0.25));
+    QVERIFY(isNear(m.specular, 0.5) && isNear(m.specularColor, {0.5, 1.0, 0.25}));
+    QVERIFY(isNear(m.roughness, 0.5) && m.metallic == 0.0 && m.transmission == 0.0);
+    QVERIFY(m.emissionTexture.image && isNear(m.emission, glm::dvec3(1.0)));
+    QVERIFY(m.doubleSided);
+}
+
 void MaterialImportTest::gltfDefaults() {
     const Material m = import(gltf("{}", "")).materials[0];
     QVERIFY(m.alphaMode == AlphaMode::Opaque && !m.doubleSided);
@@ -377,7 +406,8 @@ void MaterialImportTest::damagedGltfExtrasNeverCrash() {
         R"("specularColorFactor":[1,0.5,0]},"KHR_materials_emissive_strength":{"emissiveStrength":3}}},{}]})";
     const auto extras = readGltfExtras(whole);
     QCOMPARE(extras.size(), std::size_t(2));
-    QCOMPARE(extras[0].specularImage, std::string("*1"));
+    QCOMPARE(extras[0].specularImage, 2);
+    QVERIFY(extras[0].specularFile.empty() && extras[0].specularContent.empty());
     QVERIFY(extras[0].hasMovedTextures && extras[0].emissiveStrength == 3.0);
     std::mt19937 random(2);
     for (int round = 0; round < 20'000; ++round) {
@@ -386,6 +416,18 @@ void MaterialImportTest::damagedGltfExtrasNeverCrash() {
             bent[random() % bent.size()] = static_cast<char>(random() % 96 + 32);
         QVERIFY(readGltfExtras(bent).size() <= 10);
     }
+    // A .glb: its second chunk is the buffer that holds the picture.
+    const std::string text =
+        R"({"images":[{"bufferView":1}],"textures":[{"source":0}],"bufferViews":[{},{"buffer":0,"byteOffset":2,"byteLength":3}],)"
+        R"("materials":[{"extensions":{"KHR_materials_specular":{"specularTexture":{"index":0}}}}]})";
+    const auto word = [](std::size_t value) {
+        return std::string{static_cast<char>(value), static_cast<char>(value >> 8), 0, 0};
+    };
+    std::string glb = "glTF" + word(2) + word(0) + word(text.size()) + "JSON" + text + word(8);
+    glb += std::string("BIN\0..abc...", 12);
+    QCOMPARE(readGltfExtras(glb).at(0).specularContent, std::string("abc"));
+    for (std::size_t length = 0; length < glb.size(); ++length)
+        readGltfExtras(std::string_view(glb).substr(0, length));
     QVERIFY(readGltfExtras("glTF").empty() && readGltfExtras("").empty());
     QVERIFY(readGltfExtras(std::string(100'000, '[')).empty());
 }

@@ -202,7 +202,7 @@ void BsdfTest::samplesFollowTheirDensity() {
             // narrows it.
             const double alpha = std::max(roughness * roughness, 0.01f) * (q.transmission > 0 ? 0.35 : 1.0);
             // Refraction near grazing has kinks, where the integral converges slowly.
-            const double least = q.transmission > 0 && degrees >= 80 ? 20.0 : 5.0;
+            const double least = q.transmission > 0 && degrees >= 80 ? 12.0 : 5.0;
             const auto high = static_cast<std::uint32_t>(std::clamp(0.1 / alpha, least, 20.0));
             const auto wide =
                 static_cast<std::uint32_t>(std::clamp(0.04 / (alpha * q.toEye[2]), least, 50.0));

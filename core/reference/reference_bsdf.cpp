@@ -93,7 +93,7 @@ glm::dvec3 ambientAlbedo(const Surface& s, const glm::dvec3& toEye) {
     const FacetAlbedo once = facetAlbedo(s.roughness, cosine);
     const glm::dvec3 layer = strength * std::max(fresnel(1.0, s.ior) * once.scale + once.offset, 0.0);
     return diffuseShare(s) * (layer + s.baseColor * (1.0 - layer)) +
-           s.metallic * (s.baseColor * once.scale + once.offset) * allBounces(s, once);
+           s.metallic * glm::max(s.baseColor * once.scale + once.offset, 0.0) * allBounces(s, once);
 }
 
 } // namespace prizma::reference

@@ -29,6 +29,7 @@ constexpr double throughGlass = 1e-4;
 /// same 2e-6 of the scene's size, seen through several balls of glass.
 constexpr double edgeReach = 0.05;
 constexpr double mostOnEdges = 0.01;  ///< Share of the pixels.
+constexpr int mostOnVeryEdges = 2;    ///< Pixels of a picture.
 constexpr double mostMinified = 0.05; ///< Whose textures the renderer shows from a mip level.
 
 std::filesystem::path assets() {
@@ -172,12 +173,13 @@ void WhittedAgreementTest::agreesWithTheReference() {
         pictures.push_back(render(*renderer, scene));
         QCOMPARE(pictures.back().nonFinitePixels, 0u);
         const auto outcome = reference.compare(pictures.back());
-        qInfo("%s: largest error %.1e; on edges %d, minified %d of %d pixels; up to %d rays a pixel", way,
-              outcome.largestError, outcome.onEdge, outcome.minified, pictureSize * pictureSize,
-              reference.mostRays());
+        qInfo("%s: largest error %.1e; on edges %d and %d, minified %d of %d pixels; up to %d rays a pixel",
+              way, outcome.largestError, outcome.onEdge, outcome.onVeryEdge, outcome.minified,
+              pictureSize * pictureSize, reference.mostRays());
         QVERIFY2(outcome.faults == 0,
                  qPrintable(QString("%1 faults, first: %2").arg(outcome.faults).arg(outcome.first)));
         QVERIFY(outcome.onEdge < mostOnEdges * pictureSize * pictureSize);
+        QVERIFY(outcome.onVeryEdge <= mostOnVeryEdges);
         QVERIFY(outcome.minified < mostMinified * pictureSize * pictureSize);
     }
     // Equal in every way of tracing, up to hits at equal distance and roundings in them.

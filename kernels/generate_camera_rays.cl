@@ -8,11 +8,12 @@ kernel void generateCameraRays(DeviceView view, global DeviceRay* rays) {
     uint index = view.firstPixel + launched;
     int2 pixel = pixelAt(index, view.width);
     global DeviceRay* ray = rays + index;
-    float3 direction = cameraDirection(&view, pixel);
+    float3 origin;
+    float3 direction = cameraRay(&view, index, &origin);
     bool inside = pixel.x < view.width && pixel.y < view.height;
-    ray->origin[0] = view.origin[0];
-    ray->origin[1] = view.origin[1];
-    ray->origin[2] = view.origin[2];
+    ray->origin[0] = origin.x;
+    ray->origin[1] = origin.y;
+    ray->origin[2] = origin.z;
     ray->tMin = 0.0f;
     ray->direction[0] = direction.x;
     ray->direction[1] = direction.y;

@@ -1,5 +1,7 @@
-# Writes OUTPUT, a C++ file with the text of every file in kernels/. Run with -DKERNEL_DIR=... -DOUTPUT=...
+# Writes OUTPUT, a C++ file with the text of every file in kernels/ and of GENERATED, which the build made.
+# Run with -DKERNEL_DIR=... -DGENERATED=... -DOUTPUT=...
 file(GLOB kernels ${KERNEL_DIR}/*.cl ${KERNEL_DIR}/*.clh ${KERNEL_DIR}/*.h)
+list(APPEND kernels ${GENERATED})
 set(entries "")
 foreach(path ${kernels})
     get_filename_component(name ${path} NAME)

@@ -33,15 +33,21 @@ double smithLambda(double cosine, double alpha) {
     return 0.5 * (std::sqrt(1.0 + alpha * alpha * tangent2) - 1.0);
 }
 
-/// Karis' fit of 2014 to the share of light from all sides that rough facets reflect.
-glm::dvec3 roughReflectance(const Surface& s, double cosine) {
-    const double x = 1.0 - s.roughness;
-    const double y = 0.0425 - 0.0275 * s.roughness;
-    const double a = std::min(x * x, std::exp2(-9.28 * cosine)) * x + y;
-    const double scale = -1.04 * a + 1.04 - 0.572 * s.roughness;
-    const double offset = 1.04 * a - 0.04 + 0.022 * s.roughness;
-    const double edge = s.metallic + (1.0 - s.metallic) * s.specular;
-    return glm::clamp(layerReflectance(s, 1.0) * scale + edge * offset, 0.0, 1.0);
+/// Share of light from all sides that rough facets reflect once: `scale` times the reflectance at normal
+/// incidence, plus `offset` (Karis' fit of 2014).
+struct FacetAlbedo {
+    double scale, offset;
+};
+
+FacetAlbedo facetAlbedo(double roughness, double cosine) {
+    const double x = 1.0 - roughness;
+    const double a = std::min(x * x, std::exp2(-9.28 * cosine)) * x + 0.0425 - 0.0275 * roughness;
+    return {1.04 - 0.572 * roughness - 1.04 * a, 1.04 * a - 0.04 + 0.022 * roughness};
+}
+
+/// What all bounces between a metal's facets give back, over the first (Turquin 2019).
+glm::dvec3 allBounces(const Surface& s, const FacetAlbedo& once) {
+    return 1.0 + s.baseColor * (1.0 / (once.scale + once.offset) - 1.0);
 }
 
 } // namespace
@@ -57,7 +63,7 @@ double fresnel(double cosine, double index) {
 }
 
 glm::dvec3 layerReflectance(const Surface& s, double cosine) {
-    const double dielectric = s.specular * fresnel(cosine, indexBeyond(s));
+    const glm::dvec3 dielectric = s.specular * s.specularColor * fresnel(cosine, indexBeyond(s));
     return s.metallic * schlick(s.baseColor, cosine) + (1.0 - s.metallic) * dielectric;
 }
 
@@ -72,16 +78,22 @@ glm::dvec3 reflected(const Surface& s, const glm::dvec3& toEye, const glm::dvec3
     if (!isMirror(s)) {
         const double alpha = s.roughness * s.roughness;
         const double masked = 1.0 / (1.0 + smithLambda(cosineO, alpha) + smithLambda(cosineI, alpha));
-        value += layer * (ggxDensity(glm::dot(half, s.normal), alpha) * masked / (4.0 * cosineO * cosineI));
+        const glm::dvec3 later = s.metallic * (allBounces(s, facetAlbedo(s.roughness, cosineO)) - 1.0);
+        value += layer * (1.0 + later) *
+                 (ggxDensity(glm::dot(half, s.normal), alpha) * masked / (4.0 * cosineO * cosineI));
     }
     return value * cosineI;
 }
 
 glm::dvec3 ambientAlbedo(const Surface& s, const glm::dvec3& toEye) {
     const double cosine = std::clamp(glm::dot(s.normal, toEye), 0.0, 1.0);
-    const glm::dvec3 layer = isMirror(s) ? layerReflectance(s, cosine) : roughReflectance(s, cosine);
-    const glm::dvec3 below = s.baseColor * (1.0 - layer) * diffuseShare(s);
-    return isMirror(s) ? below : below + layer * (1.0 - clearShare(s));
+    const glm::dvec3 strength = s.specular * s.specularColor;
+    if (isMirror(s))
+        return diffuseShare(s) * s.baseColor * (1.0 - strength * fresnel(cosine, s.ior));
+    const FacetAlbedo once = facetAlbedo(s.roughness, cosine);
+    const glm::dvec3 layer = strength * std::max(fresnel(1.0, s.ior) * once.scale + once.offset, 0.0);
+    return diffuseShare(s) * (layer + s.baseColor * (1.0 - layer)) +
+           s.metallic * (s.baseColor * once.scale + once.offset) * allBounces(s, once);
 }
 
 } // namespace prizma::reference

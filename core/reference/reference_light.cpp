@@ -2,6 +2,8 @@
 
 #include "core/reference/reference_texture.h"
 
+#include <glm/gtx/component_wise.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -42,7 +44,47 @@ double intensityTowards(const Light& light, const glm::dvec3& travels) {
     return 0.0;
 }
 
+/// Where the ray meets the light's own shape.
+std::optional<double> meet(const Light& light, const Ray& ray) {
+    // In the light's axes, in which a rectangle lies in y = 0 and faces -y.
+    const glm::dquat toLight = glm::conjugate(glm::normalize(light.rotation));
+    const glm::dvec3 origin = toLight * (ray.origin - light.position);
+    const glm::dvec3 direction = toLight * ray.direction;
+    if (light.type == LightType::Rectangle) {
+        const double t = -origin.y / direction.y;
+        const glm::dvec3 place = origin + direction * t;
+        const bool isMet = direction.y > 0.0 && t > ray.tMin && std::abs(place.x) <= light.size.x / 2.0 &&
+                           std::abs(place.z) <= light.size.y / 2.0;
+        return isMet ? std::optional(t) : std::nullopt;
+    }
+    if (light.type != LightType::Sphere)
+        return std::nullopt;
+    // |origin + t direction|² = radius²
+    const double a = glm::dot(direction, direction);
+    const double b = glm::dot(origin, direction);
+    const double discriminant = b * b - a * (glm::dot(origin, origin) - light.radius * light.radius);
+    if (discriminant < 0.0)
+        return std::nullopt;
+    for (const double t : {(-b - std::sqrt(discriminant)) / a, (-b + std::sqrt(discriminant)) / a})
+        if (t > ray.tMin)
+            return t;
+    return std::nullopt;
+}
+
 } // namespace
+
+std::optional<SeenLight> nearestLight(const Scene& scene, const Ray& ray, double end, bool fromCamera) {
+    std::optional<SeenLight> nearest;
+    for (const Light& light : scene.lights) {
+        const glm::dvec3 radiance = light.color * light.radiance;
+        if (!light.enabled || (fromCamera && !light.visible) || !(glm::compMax(radiance) > 0.0))
+            continue;
+        const auto t = meet(light, ray);
+        if (t && *t < (nearest ? nearest->t : end))
+            nearest = SeenLight{*t, radiance};
+    }
+    return nearest;
+}
 
 std::optional<ArrivingLight> lightAt(const Light& light, const glm::dvec3& position) {
     if (!light.enabled)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/reference/reference_tracer.h"
 #include "core/scene/scene.h"
 
 #include <optional>
@@ -16,6 +17,16 @@ struct ArrivingLight {
 /// Rectangles and spheres send from their centre what they would from far: radiance times the area that is
 /// seen from there. Nothing for lights that are off, and at the light itself.
 std::optional<ArrivingLight> lightAt(const Light& light, const glm::dvec3& position);
+
+/// A light that is seen itself.
+struct SeenLight {
+    double t = 0.0; ///< In lengths of the ray's direction.
+    glm::dvec3 radiance{0.0};
+};
+
+/// The nearest rectangle (from its front) or sphere that the ray meets before `end`. `fromCamera`: lights
+/// that are not `visible` are left out.
+std::optional<SeenLight> nearestLight(const Scene& scene, const Ray& ray, double end, bool fromCamera);
 
 /// Radiance from outside the scene.
 glm::dvec3 backgroundRadiance(const Background& background, const glm::dvec3& direction);

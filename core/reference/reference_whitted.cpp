@@ -48,6 +48,8 @@ class Medium {
             absorption_ = s.absorption;
         return glm::exp(-absorption_ * distance);
     }
+    glm::dvec3 pass(double distance) const { return glm::exp(-absorption_ * distance); }
+
     void cross(const Surface& s) {
         if (isGlass(s))
             absorption_ = s.entering ? s.absorption : glm::dvec3(0.0);
@@ -89,6 +91,10 @@ Radiance Whitted::trace(const Ray& ray, double spread) const {
 void Whitted::follow(const Branch& branch, Progress& progress) const {
     ++progress.sum.rays;
     const auto hit = tracer_.closestHit(branch.ray);
+    if (const auto light = nearestLight(scene_, branch.ray, hit ? hit->t : 1e300, branch.level == 0)) {
+        progress.sum.value += branch.weight * branch.medium.pass(light->t) * light->radiance;
+        return;
+    }
     if (!hit) {
         progress.sum.value += branch.weight * backgroundRadiance(scene_.background, branch.ray.direction);
         return;

@@ -116,7 +116,7 @@ class WhittedAgreementTest : public QObject {
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             if (!scene.objects[i].mesh->canBePosed())
                 continue;
-            const auto posed = computePosedMesh(*renderers_.begin()->second, scene, scene.objects[i].id);
+            const auto posed = computePosedMesh(*ways_.front().renderer, scene, scene.objects[i].id);
             if (!posed)
                 qFatal("%s", posed.error().message.c_str());
             auto mesh = std::make_shared<Mesh>(*scene.objects[i].mesh);
@@ -127,14 +127,25 @@ class WhittedAgreementTest : public QObject {
         return scene;
     }
 
-    std::map<TreeLayout, std::unique_ptr<Renderer>> renderers_;
+    struct Way {
+        const char* name;
+        std::unique_ptr<Renderer> renderer;
+    };
+    std::vector<Way> ways_;
 };
 
 void WhittedAgreementTest::initTestCase() {
-    for (const TreeLayout layout : {TreeLayout::Wide8, TreeLayout::Binary2})
-        if (auto renderer = makeRenderer(layout))
-            renderers_[layout] = std::move(renderer);
-    if (renderers_.empty())
+    const auto add = [this](const char* name, TreeLayout layout, bool packets) {
+        RendererOptions options;
+        options.layout = layout;
+        options.packets = packets;
+        if (auto renderer = makeRenderer(options))
+            ways_.push_back({name, std::move(renderer)});
+    };
+    add("8-wide, packets", TreeLayout::Wide8, true);
+    add("8-wide, single rays", TreeLayout::Wide8, false);
+    add("binary", TreeLayout::Binary2, false);
+    if (ways_.empty())
         QSKIP("There is no OpenCL device here.");
 }
 
@@ -157,19 +168,19 @@ void WhittedAgreementTest::agreesWithTheReference() {
         QSKIP("the model is absent; PRIZMA_ASSETS names the folder of test models");
     const ReferencePicture reference(standingStill(scene), pictureSize, bound, edgeReach);
     std::vector<OfflinePicture> pictures;
-    for (const auto& [layout, renderer] : renderers_) {
+    for (const auto& [way, renderer] : ways_) {
         pictures.push_back(render(*renderer, scene));
         QCOMPARE(pictures.back().nonFinitePixels, 0u);
         const auto outcome = reference.compare(pictures.back());
-        qInfo("%s: largest error %.1e; on edges %d, minified %d of %d pixels; up to %d rays a pixel",
-              layout == TreeLayout::Wide8 ? "8-wide" : "binary", outcome.largestError, outcome.onEdge,
-              outcome.minified, pictureSize * pictureSize, reference.mostRays());
+        qInfo("%s: largest error %.1e; on edges %d, minified %d of %d pixels; up to %d rays a pixel", way,
+              outcome.largestError, outcome.onEdge, outcome.minified, pictureSize * pictureSize,
+              reference.mostRays());
         QVERIFY2(outcome.faults == 0,
                  qPrintable(QString("%1 faults, first: %2").arg(outcome.faults).arg(outcome.first)));
         QVERIFY(outcome.onEdge < mostOnEdges * pictureSize * pictureSize);
         QVERIFY(outcome.minified < mostMinified * pictureSize * pictureSize);
     }
-    // Equal in every layout, up to hits at equal distance and roundings in them.
+    // Equal in every way of tracing, up to hits at equal distance and roundings in them.
     const auto differing = [&](const OfflinePicture& other) {
         int count = 0;
         for (int y = 0; y < pictureSize; ++y)

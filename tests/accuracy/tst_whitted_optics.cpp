@@ -93,6 +93,7 @@ class WhittedOpticsTest : public QObject {
     void shadowOfASlabThatLightGoesThrough();
     void sheetsOfAlphaAddUp();
     void manySheetsEnd();
+    void roughMetalShowsItsSurroundingsMean();
 
   private:
     OfflinePicture render(const Scene& scene, int width = 33, int height = 33) {
@@ -414,6 +415,28 @@ void WhittedOpticsTest::manySheetsEnd() {
     }
     QVERIFY(picture.rays.secondary > 16u * 16u * 63u);
     QVERIFY(picture.rays.secondary <= 16u * 16u * 64u * 7u);
+}
+
+/// Rough metal has no mirror ray; the ambient term is its share of the surroundings' mean radiance.
+void WhittedOpticsTest::roughMetalShowsItsSurroundingsMean() {
+    for (const double roughness : {0.1, 0.4, 0.8}) {
+        Scene scene;
+        Material metal = mirrorMaterial({1.0, 0.8, 0.4});
+        metal.roughness = roughness;
+        addPrimitive(scene, PrimitiveType::Plane, 50.0, metal, {0, 0, 0});
+        scene.camera = {{0, 5, 0}, {0, 0, 0}, {0, 0, -1}, 10.0};
+        scene.background.color = glm::dvec3(2.0);
+        scene.render.samples = 1;
+        const glm::dvec3 value = pixelOf(render(scene), 16, 16) / 2.0;
+        // White metal gives back all of it, by construction; coloured metal no more than one bounce keeps,
+        // and no less than two.
+        for (int c = 0; c < 3; ++c) {
+            const double base = metal.baseColor[c];
+            QVERIFY2(
+                base == 1.0 ? std::abs(value[c] - 1.0) < 2e-6 : value[c] < base && value[c] > base * base,
+                qPrintable(QString("roughness %1: %2 of base %3").arg(roughness).arg(value[c]).arg(base)));
+        }
+    }
 }
 
 QTEST_GUILESS_MAIN(WhittedOpticsTest)

@@ -173,18 +173,24 @@ inline Scene lightScene() {
     addLight(scene, sun);
     Light panel;
     panel.type = LightType::Rectangle;
-    panel.position = {0.0, 3.0, -1.0};
-    panel.rotation = rotationFromEulerDegrees({20.0, 0.0, 15.0});
+    panel.position = {0.0, 2.2, -1.4};
+    panel.rotation = rotationFromEulerDegrees({-70.0, 0.0, 15.0});
     panel.size = {1.0, 0.5};
     panel.radiance = 12.0;
     addLight(scene, panel);
     Light bulb;
     bulb.type = LightType::Sphere;
-    bulb.position = {0.2, 1.9, 1.0};
+    bulb.position = {0.3, 1.7, 1.0};
     bulb.radius = 0.2;
     bulb.radiance = 15.0;
     bulb.color = {0.5, 0.7, 1.0};
     addLight(scene, bulb);
+    bulb.position = {-0.4, 0.9, 1.2};
+    bulb.radius = 0.1;
+    bulb.visible = false; // but in the mirror
+    addLight(scene, bulb);
+    addPrimitive(scene, PrimitiveType::Plane, 2.0, mirrorMaterial(), {-0.2, 1.0, -1.0}).transform.rotation =
+        rotationFromEulerDegrees({90, 0, 0});
     Light off = pointLight({0, 2, 2}, 500.0);
     off.enabled = false;
     addLight(scene, off);
@@ -226,6 +232,7 @@ inline Scene textureScene() {
         m.metallic = 0.8;
         m.roughness = 1.0;
         m.metallicRoughnessTexture = randomPicture(4, 3, 90);
+        m.specularColor = {1.0, 0.6, 0.3};
         m.specularTexture = randomPicture(4, 4, 0, true);
         m.normalTexture =
             pictureOf(4, [](int x, int y) { return glm::ivec4(100 + 20 * x, 150 - 15 * y, 230, 255); });
@@ -266,7 +273,7 @@ inline Scene alphaScene() {
                                 return glm::ivec4(200, 120, 60, (x * y) % 3 == 0 ? 40 : 240);
                             });
                             m.alphaMode = AlphaMode::Mask;
-                            m.roughness = 0.6;
+                            m.specular = 0.0;
                         }),
           {0.4, 0.8, 1.0}, -15.0);
     sheet(namedMaterial("faded",
@@ -353,6 +360,7 @@ inline Scene randomScene(unsigned seed) {
             m.metallic = kind == 1 || kind == 2 ? 1.0 : 0.3 * unit(random);
             m.transmission = kind == 3 ? 1.0 : (kind == 4 ? unit(random) : 0.0);
             m.specular = unit(random);
+            m.specularColor = color();
             m.ior = 1.05 + unit(random);
             m.attenuationColor = 0.2 + 0.8 * color();
             m.attenuationDistance = kind >= 3 ? 1.0 : 0.0;

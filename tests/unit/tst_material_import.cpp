@@ -1,7 +1,6 @@
 // What becomes of the materials of model files: MTL with its extensions, glTF, and what other formats say.
 #include "core/import/derived_pictures.h"
 #include "core/import/gltf_extras.h"
-#include "core/import/image_loader.h"
 #include "core/import/image_saver.h"
 #include "core/import/model_importer.h"
 #include "core/import/mtl_reader.h"

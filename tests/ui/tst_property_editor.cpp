@@ -46,6 +46,7 @@ class TestPropertyEditor : public QObject {
     void textureIsReadInTheBackground();
     void textureThatIsMissing();
     void materialSlots();
+    void materialFitsIntoANarrowPanel();
     void followsUndo();
 
   private:
@@ -323,6 +324,26 @@ void TestPropertyEditor::textureThatIsMissing() {
     QVERIFY(toQString(diagnostic.file).contains(QStringLiteral("nowhere.png")));
     QCOMPARE(steps(), 0);
     QVERIFY(!document_->scene().materials[0].baseColorTexture.isSet());
+}
+
+void TestPropertyEditor::materialFitsIntoANarrowPanel() {
+    editor_->resize(280, 700); // the least that the window gives it
+    select({material(0)});
+    QTest::qWait(50);
+    QStringList headings;
+    for (const QLabel* label : editor_->findChildren<QLabel*>(QStringLiteral("sectionHeading")))
+        if (label->isVisible())
+            headings += label->text();
+    QCOMPARE(headings, QStringList({"Colour", "Holes", "Reflection", "Glass", "Light", "Relief"}));
+    int editors = 0;
+    for (const ValueEditor* row : editor_->findChildren<ValueEditor*>()) {
+        if (!row->isVisible())
+            continue;
+        ++editors;
+        const int right = row->mapTo(editor_.get(), QPoint(row->width(), 0)).x();
+        QVERIFY2(right <= editor_->width(), qPrintable(row->objectName()));
+    }
+    QVERIFY(editors > 15);
 }
 
 void TestPropertyEditor::materialSlots() {

@@ -28,6 +28,8 @@ class RenderCommandTest : public QObject {
     void clipsAreChosenBySet();
     void faultsAreOneLine_data();
     void faultsAreOneLine();
+    void depthAndViewReachTheFile();
+    void denoisingIsForTheScreen();
     void videoFollowsTheFrames();
     void missingEncoderIsSaidBeforeRendering();
 
@@ -116,6 +118,43 @@ void RenderCommandTest::faultsAreOneLine() {
     QCOMPARE(result.exitCode, 1);
     QCOMPARE(result.errors.count('\n'), 1);
     QVERIFY2(QString::fromUtf8(result.errors).contains(word), result.errors);
+}
+
+void RenderCommandTest::depthAndViewReachTheFile() {
+    const QTemporaryDir folder;
+    const auto picture = [&](const QStringList& more) {
+        const QString file = folder.filePath("p.png");
+        return runCommand(arguments(QStringList{"-o", file, "--shader", "whitted"} + more)).exitCode == 0
+                   ? contentOf(file)
+                   : QByteArray();
+    };
+    const QByteArray plain = picture({});
+    const QByteArray deep = picture({"--depth", "16"});
+    const QByteArray filmic = picture({"--set", "render.viewTransform=filmic"});
+    // A PNG's header says how many bits a channel has; the chunk after it which colours they mean.
+    QCOMPARE(static_cast<int>(plain[24]), 8);
+    QCOMPARE(static_cast<int>(deep[24]), 16);
+    for (const QByteArray& file : {plain, deep, filmic})
+        QVERIFY(file.contains("sRGB"));
+    QVERIFY(!filmic.isEmpty() && filmic != plain);
+    QVERIFY(picture({"--depth", "12"}).isEmpty());
+    const CommandResult exr = runCommand(arguments({"-o", folder.filePath("p.exr"), "--depth", "16"}));
+    QCOMPARE(exr.exitCode, 1);
+    QVERIFY(exr.errors.contains("--depth"));
+}
+
+void RenderCommandTest::denoisingIsForTheScreen() {
+    const QTemporaryDir folder;
+    const auto picture = [&](const QString& denoise) {
+        const QString file = folder.filePath("p.png");
+        return runCommand(
+                   arguments({"-o", file, "--shader", "whitted", "--set", "render.denoise=" + denoise}))
+                           .exitCode == 0
+                   ? contentOf(file)
+                   : QByteArray();
+    };
+    QVERIFY(!picture("false").isEmpty());
+    QCOMPARE(picture("true"), picture("false"));
 }
 
 void RenderCommandTest::videoFollowsTheFrames() {

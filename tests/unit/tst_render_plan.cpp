@@ -3,6 +3,8 @@
 
 #include <QtTest>
 
+#include <functional>
+
 using namespace prizma;
 using namespace prizma::test;
 
@@ -196,11 +198,17 @@ void RenderPlanTest::poseOfAnEmissiveObjectLeavesTheLights() {
 
 void RenderPlanTest::exposureTouchesDisplayOnly() {
     const Scene before = makeScene();
-    Scene after = before;
-    after.render.exposure = 1.5;
-    const RenderPlan plan = planAfter(before, after);
-    QVERIFY(!plan.restarts);
-    QCOMPARE(stagesOf(plan), std::vector<Stage>{Stage::Display});
+    const std::function<void(RenderSettings&)> edits[] = {
+        [](RenderSettings& s) { s.exposure = 1.5; },
+        [](RenderSettings& s) { s.viewTransform = ViewTransform::Filmic; },
+        [](RenderSettings& s) { s.denoise = true; }};
+    for (const auto& edit : edits) {
+        Scene after = before;
+        edit(after.render);
+        const RenderPlan plan = planAfter(before, after);
+        QVERIFY(!plan.restarts);
+        QCOMPARE(stagesOf(plan), std::vector<Stage>{Stage::Display});
+    }
 }
 
 void RenderPlanTest::materialValueTouchesMaterialsOnly() {

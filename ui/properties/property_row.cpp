@@ -11,10 +11,17 @@
 #include <algorithm>
 
 namespace prizma {
+namespace {
+
+constexpr int widestLabel = 128; // longer names take two lines, so that the fields keep their room
+
+} // namespace
 
 PropertyLabel::PropertyLabel(const QString& text, ValueEditor& editor)
     : QLabel(text), field_(editor.labelField()) {
     setBuddy(&editor);
+    setWordWrap(true);
+    setMaximumWidth(widestLabel);
     if (field_)
         setCursor(Qt::SizeHorCursor);
 }

@@ -28,6 +28,8 @@ float cost(const LightBounds& bounds) {
 /// serves to compare splits, of which there are many.
 class Bin {
   public:
+    Bin() { bounds_.emission = 0.0f; }
+
     /// First all emitters are added,
     void add(const LightBounds& emitter) {
         bounds_.box.add(emitter.box);
@@ -62,7 +64,7 @@ class Bin {
     }
 
   private:
-    LightBounds bounds_{.emission = 0.0f};
+    LightBounds bounds_;
     glm::vec3 sum_{0.0f};
     float cosine_ = 1.0f, angle_ = 0.0f;
 };

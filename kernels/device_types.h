@@ -282,6 +282,17 @@ typedef struct {
     DeviceUint nodeBase;
 } DeviceRefitEntry;
 
+// How a ray was traced that record_rays.clh wrote down: in a packet or by itself, to its nearest hit or to any.
+#define PRIZMA_RECORDED_PACKET 0u
+#define PRIZMA_RECORDED_ANY_PACKET 1u
+#define PRIZMA_RECORDED_CLOSEST 2u
+#define PRIZMA_RECORDED_ANY 3u
+
+typedef struct {
+    DeviceRay ray;
+    DeviceUint kind;
+} DeviceRecordedRay;
+
 // What a work group of RayShader (or a packet of sixteen pixels) did in one pass. `times` are in ticks of the processor's
 // clock, of the few packets that look at it: see packet_work.clh.
 typedef struct {
@@ -317,6 +328,7 @@ static_assert(sizeof(DeviceVertexBlock) == 20);
 static_assert(sizeof(DeviceTreeBlock) == 20);
 static_assert(sizeof(DeviceRefitEntry) == 8);
 static_assert(sizeof(DeviceWork) == 40);
+static_assert(sizeof(DeviceRecordedRay) == 36);
 } // namespace prizma
 #endif
 

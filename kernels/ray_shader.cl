@@ -17,6 +17,17 @@
 #include "shader_views.clh"
 #endif
 
+#ifdef PRIZMA_RECORD_RAYS
+#define RECORD_PARAMETERS , global DeviceRecordedRay *recorded, global uint *recordedCount, uint recordedCapacity
+#define RECORD(scene)                                                                                                  \
+    (scene)->recorded = recorded;                                                                                      \
+    (scene)->recordedCount = recordedCount;                                                                            \
+    (scene)->recordedCapacity = recordedCapacity
+#else
+#define RECORD_PARAMETERS
+#define RECORD(scene)
+#endif
+
 #ifdef PRIZMA_PACKETS
 
 #if PRIZMA_VIEW == 0
@@ -27,12 +38,13 @@
 #include "shade_packet.clh"
 
 kernel void rayShaderPacket(SCENE_PARAMETERS, DeviceView view, DeviceShading shading, global float4* sums,
-                            global float4* losses, global DeviceWork* work) {
+                            global float4* losses, global DeviceWork* work RECORD_PARAMETERS) {
     uint launched = (uint)get_global_id(0) * PACKET;
     if (launched >= view.pixelCount)
         return;
     uint index = view.firstPixel + launched;
     Scene scene = SCENE;
+    RECORD(&scene);
     shadePacket(&scene, &view, &shading, index, sums, losses, work + index / PACKET);
 }
 
@@ -59,7 +71,7 @@ inline void shadePixel(const Scene* scene, Frame* frame, Ray ray, DeviceHit hit,
 // `work` gets the counts of each work group.
 kernel void rayShader(SCENE_PARAMETERS, DeviceView view, DeviceShading shading, const global DeviceRay* rays,
                       const global DeviceHit* hits, global float4* sums, global float4* losses,
-                      global DeviceWork* work) {
+                      global DeviceWork* work RECORD_PARAMETERS) {
     local uint total[3];
     if (get_local_id(0) == 0)
         total[0] = total[1] = total[2] = 0;
@@ -69,6 +81,7 @@ kernel void rayShader(SCENE_PARAMETERS, DeviceView view, DeviceShading shading, 
     int2 pixel = pixelAt(index, view.width);
     if (launched < view.pixelCount && pixel.x < view.width && pixel.y < view.height) {
         Scene scene = SCENE;
+        RECORD(&scene);
 #ifdef PRIZMA_COUNT_STEPS
         uint steps = 0;
         scene.steps = &steps;
@@ -76,6 +89,7 @@ kernel void rayShader(SCENE_PARAMETERS, DeviceView view, DeviceShading shading, 
         Frame frame = {shading, view.seed, view.sample, index, 0, 0};
         Ray ray = loadRay(rays + index);
         giveCameraCone(&ray, &view);
+        recordRay(&scene, &ray, PRIZMA_RECORDED_PACKET);
         shadePixel(&scene, &frame, ray, hits[index], sums + index, losses + index, total);
     }
     barrier(CLK_LOCAL_MEM_FENCE);

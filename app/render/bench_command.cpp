@@ -1,9 +1,10 @@
 #include "app/render/bench_animation.h"
+#include "app/render/bench_arguments.h"
+#include "app/render/bench_frame.h"
 #include "app/render/command.h"
 #include "app/render/load_scene.h"
 #include "core/bench/build_bench.h"
 #include "core/bench/growth_bench.h"
-#include "core/bench/procedural_scene.h"
 #include "core/bench/refit_bench.h"
 #include "core/bench/ruin_bench.h"
 #include "core/bench/trace_bench.h"
@@ -18,29 +19,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Arguments {
-    std::string file;
-    bool json = false;
-    bool instanced = false;
-    std::size_t triangles = bench::proceduralTriangles;
+struct Arguments : BenchArguments {
     std::string layout = "wide8";
-    int repeats = 5;
     bool ruin = false;
     double distance = 2.0;
     int parts = 200;
     bench::TraceBenchOptions trace;
 };
-
-Scene sceneOf(const Arguments& arguments) {
-    if (arguments.file.empty())
-        return bench::makeProceduralScene(arguments.instanced ? bench::ProceduralForm::Instances
-                                                              : bench::ProceduralForm::OneMesh,
-                                          arguments.triangles);
-    auto scene = loadScene(arguments.file, {}, 16.0 / 9.0);
-    if (!scene)
-        fail(scene.error());
-    return std::move(*scene);
-}
 
 Json toJson(const bench::TraceReport& report) {
     Json results = Json::array();
@@ -217,20 +202,6 @@ void show(const Result<Report>& report, bool json) {
         print(*report);
 }
 
-void addCommonOptions(CLI::App& command, Arguments& arguments) {
-    command.add_option("file", arguments.file,
-                       "A model or a .prizma project; without: a scene of 800,000 triangles");
-    command.add_flag("--json", arguments.json, "Print JSON for scripts");
-    command.add_flag("--instanced", arguments.instanced,
-                     "Without a file: ten objects that share four meshes, instead of one mesh");
-    command.add_option("--triangles", arguments.triangles, "Without a file: about how many the scene has")
-        ->check(CLI::Range(std::size_t{1000}, std::size_t{10000000}))
-        ->capture_default_str();
-    command.add_option("--repeats", arguments.repeats, "Measurements of which the median counts")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
-}
-
 void addTraceCommand(CLI::App& bench) {
     auto* command =
         bench.add_subcommand("trace", "How fast camera, diffuse bounce and shadow rays are traced");
@@ -327,6 +298,7 @@ void addBenchCommand(CLI::App& app) {
     auto* command = app.add_subcommand("bench", "Measurements, beside Embree's where it is built in");
     command->require_subcommand(1);
     addTraceCommand(*command);
+    addFrameBench(*command);
     addBuildCommand(*command);
     addRefitCommand(*command);
     addAnimationBenches(*command);

@@ -1,6 +1,7 @@
 #include "app/render/command.h"
 
 #include "app/render/load_scene.h"
+#include "app/render/pass_times.h"
 #include "core/import/file_finder.h"
 #include "core/render/picture_sequence.h"
 #include "core/render/video_encoder.h"
@@ -41,27 +42,6 @@ Result<std::pair<int, int>> parseFrames(const std::string& text) {
     return std::pair(first, last);
 }
 
-nlohmann::ordered_json toJson(const PassTimes& t) {
-    return {{"generate", t.generate},    {"trace", t.trace}, {"shadow", t.shadow},
-            {"single", t.single},        {"shade", t.shade}, {"accumulate", t.accumulate},
-            {"estimated", t.isEstimated}};
-}
-
-/// Where the time of the samples went.
-void printPassTimes(const PassTimes& t) {
-    if (t.isEstimated)
-        fmt::print(
-            "of trace and shade, as one packet of 16 pixels in 61 saw it: camera rays {:.0f} ms, their hits "
-            "{:.0f}, shadow rays {:.0f}, surfaces and lights {:.0f}, pixels finished one by one {:.0f}, "
-            "adding "
-            "up {:.0f}\n",
-            t.generate, t.trace, t.shadow, t.shade, t.single, t.accumulate);
-    else
-        fmt::print(
-            "of trace and shade: camera rays {:.0f} ms, their hits {:.0f}, RayShader with its rays {:.0f}\n",
-            t.generate, t.trace, t.shade);
-}
-
 nlohmann::ordered_json toJson(const OfflinePicture& p, const std::string& device, const std::string& file) {
     const OfflineTimes& t = p.times;
     return {
@@ -95,7 +75,7 @@ void printStatistics(const OfflinePicture& p, const std::string& device) {
     fmt::print("{} camera, {} shadow and {} secondary rays: {:.1f} million a second\n", p.rays.camera,
                p.rays.shadow, p.rays.secondary,
                static_cast<double>(p.rays.total()) / std::max(seconds, 1e-9) * 1e-6);
-    printPassTimes(p.passTimes);
+    fmt::print("{}\n", describe(p.passTimes));
     fmt::print("{} pixels that were no numbers\n", p.nonFinitePixels);
 }
 

@@ -7,10 +7,8 @@ namespace prizma {
 
 BvhBuildOptions buildOptionsFor(TreeLayout layout) {
     BvhBuildOptions options;
-    if (layout == TreeLayout::Binary2) { // a thread tests one triangle after the other
-        options.maxLeafSize = 4;
-        options.leafWidth = 1;
-    }
+    if (layout == TreeLayout::Binary2)
+        options.leafWidth = 1; // a thread tests one triangle after the other
     return options;
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace prizma {
 
@@ -30,7 +31,8 @@ class KernelSet {
     Kernel toneMap, toneMapFilmic, toneMapDeep, meanRadiance;
 
     /// The RayShader kernel for `type`, built on first use.
-    Result<RayShader*> rayShader(Context& context, ShaderType type);
+    /// `recording`: it takes three more arguments and writes down the rays that it traces (record_rays.clh).
+    Result<RayShader*> rayShader(Context& context, ShaderType type, bool recording = false);
 
     std::size_t groupSize = 64;   ///< Work items a group for kernels that run once a pixel or ray.
     std::size_t raysAPacket = 16; ///< Rays a work item of tracePacket; GPUs make packets of threads instead.
@@ -45,7 +47,7 @@ class KernelSet {
     std::string options_;
     std::function<void()> building_;
     bool packets_ = true;
-    std::map<ShaderType, RayShader> rayShaders_;
+    std::map<std::pair<ShaderType, bool>, RayShader> rayShaders_; ///< By type, and whether they record.
 };
 
 /// The layout that suits a kind of device.

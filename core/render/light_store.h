@@ -38,6 +38,7 @@ class LightStore {
     const Buffer<DeviceLight>& lights() const { return lights_; }
     std::uint32_t lightCount() const { return static_cast<std::uint32_t>(table_.size()); }
     std::uint32_t emitterCount() const { return set_.emitterCount; } ///< Triangles that shine.
+    std::uint32_t treeSize() const { return set_.nodeCount; }        ///< Nodes of the light tree.
 
   private:
     double meanOf(const ImagePtr& image);

@@ -24,6 +24,51 @@ float cost(const LightBounds& bounds) {
     return bounds.power > 0.0f ? bounds.power * orientationMeasure(bounds) * sideMeasure(bounds) : 0.0f;
 }
 
+/// The bounds of the emitters in a bin. Its cone is about their mean direction and not the smallest: it only
+/// serves to compare splits, of which there are many.
+class Bin {
+  public:
+    Bin() { bounds_.emission = 0.0f; }
+
+    /// First all emitters are added,
+    void add(const LightBounds& emitter) {
+        bounds_.box.add(emitter.box);
+        bounds_.power += emitter.power;
+        bounds_.emission = std::max(bounds_.emission, emitter.emission);
+        bounds_.twoSided = bounds_.twoSided || emitter.twoSided;
+        bounds_.moves = bounds_.moves || emitter.moves;
+        sum_ += emitter.twoSided && glm::dot(sum_, emitter.normals.axis) < 0.0f ? -emitter.normals.axis
+                                                                                : emitter.normals.axis;
+    }
+
+    /// then each opens the cone so far that it is inside.
+    void open(const LightBounds& emitter) {
+        const float length = glm::length(sum_);
+        float cosine = length > 0.0f ? glm::dot(sum_, emitter.normals.axis) / length : -1.0f;
+        if (emitter.twoSided)
+            cosine = std::abs(cosine);
+        if (emitter.normals.angle == 0.0f)
+            cosine_ = std::min(cosine_, cosine);
+        else
+            angle_ = std::max(angle_, std::acos(std::clamp(cosine, -1.0f, 1.0f)) + emitter.normals.angle);
+    }
+
+    LightBounds bounds() const {
+        LightBounds result = bounds_;
+        const float length = glm::length(sum_);
+        if (length > 0.0f)
+            result.normals = {
+                sum_ / length,
+                std::min(std::max(angle_, std::acos(std::clamp(cosine_, -1.0f, 1.0f))), glm::pi<float>())};
+        return result;
+    }
+
+  private:
+    LightBounds bounds_;
+    glm::vec3 sum_{0.0f};
+    float cosine_ = 1.0f, angle_ = 0.0f;
+};
+
 struct Split {
     float cost = std::numeric_limits<float>::infinity();
     int axis = -1;
@@ -134,13 +179,17 @@ class Builder {
     Split splitAlong(std::uint32_t first, std::uint32_t end, const Bounds& centres, int axis) const {
         const float low = centres.low[axis];
         const float width = centres.extent()[axis] / static_cast<float>(binCount);
-        std::array<LightBounds, binCount> bins;
-        for (std::uint32_t i = first; i < end; ++i) {
-            const LightBounds& emitter = emitters_[order_[i]];
+        const auto binOf = [&](const LightBounds& emitter) {
             const float place = (emitter.box.centre()[axis] - low) / width;
-            const auto bin = std::min(static_cast<std::uint32_t>(std::max(place, 0.0f)), binCount - 1);
-            bins[bin] = unite(bins[bin], emitter);
-        }
+            return std::min(static_cast<std::uint32_t>(std::max(place, 0.0f)), binCount - 1);
+        };
+        std::array<Bin, binCount> filled;
+        for (std::uint32_t i = first; i < end; ++i)
+            filled[binOf(emitters_[order_[i]])].add(emitters_[order_[i]]);
+        for (std::uint32_t i = first; i < end; ++i)
+            filled[binOf(emitters_[order_[i]])].open(emitters_[order_[i]]);
+        std::array<LightBounds, binCount> bins;
+        std::ranges::transform(filled, bins.begin(), &Bin::bounds);
         std::array<float, binCount> rightCost{};
         LightBounds right;
         for (std::uint32_t i = binCount - 1; i > 0; --i) {

@@ -25,16 +25,6 @@ void addTimes(const RenderStatistics& statistics, OfflineTimes& times) {
     }
 }
 
-void addTimes(const PassTimes& pass, PassTimes& times) {
-    times.generate += pass.generate;
-    times.trace += pass.trace;
-    times.shadow += pass.shadow;
-    times.single += pass.single;
-    times.shade += pass.shade;
-    times.accumulate += pass.accumulate;
-    times.isEstimated = pass.isEstimated;
-}
-
 std::uint64_t countNonFinite(const std::vector<float>& radiance) {
     std::uint64_t count = 0;
     for (std::size_t i = 0; i + 3 < radiance.size(); i += 4)
@@ -101,7 +91,7 @@ Result<OfflinePicture> renderOffline(Renderer& renderer, const Scene& scene, con
             return std::unexpected(ok.error());
         const RenderStatistics statistics = renderer.statistics(true);
         addTimes(statistics, picture.times);
-        addTimes(statistics.times, picture.passTimes);
+        picture.passTimes.add(statistics.times);
         picture.nonFinitePixels += statistics.nonFinitePixels;
         picture.rays.camera += statistics.rays.camera;
         picture.rays.shadow += statistics.rays.shadow;

@@ -156,8 +156,12 @@ void RenderThread::Worker::waitForWork(const std::stop_token& stop) {
 
 void RenderThread::Worker::takeRequest() {
     const std::lock_guard lock(mutex_);
-    if (pending_)
-        request_ = std::exchange(pending_, std::nullopt);
+    if (!pending_)
+        return;
+    // A change that needs no kernel (a name, the timeline's end) still wants a frame that tells its scene.
+    if (request_ && request_->scene != pending_->scene)
+        settled_ = false;
+    request_ = std::exchange(pending_, std::nullopt);
 }
 
 void RenderThread::Worker::changeDevice(const std::string& deviceId) {

@@ -206,7 +206,7 @@ Result<void> Renderer::traceCameraRays(std::uint32_t count, ClEvent& generated, 
     return {};
 }
 
-Result<void> Renderer::launchChunk(std::uint32_t count) {
+Result<void> Renderer::launchChunk(std::uint32_t count, const RayRecord* recorder) {
     view_.firstPixel = nextPixel_;
     view_.pixelCount = count;
     const bool makesRays = rayShader_->makesRays;
@@ -225,6 +225,11 @@ Result<void> Renderer::launchChunk(std::uint32_t count) {
     shade.addArgument(film_.sums);
     shade.addArgument(film_.losses);
     shade.addArgument(film_.work);
+    if (recorder) {
+        shade.addArgument(recorder->rays);
+        shade.addArgument(recorder->count);
+        shade.addArgument(recorder->capacity);
+    }
     const std::size_t items = makesRays ? count / kernels_->raysAPacket : count;
     auto shaded =
         shade.launch(*context_, items, makesRays ? kernels_->packetGroupSize() : kernels_->groupSize);
@@ -376,6 +381,38 @@ void Renderer::addWork(RenderStatistics& statistics) {
         return;
     shaded->milliseconds -= tracing;
     statistics.stages.insert(shaded, {describe(Stage::GenerateCameraRays), shaded->why, tracing, 0});
+}
+
+Result<std::vector<DeviceRecordedRay>> Renderer::recordRays() {
+    if (!state_.scene || !rayShader_)
+        return failure("There is no picture whose rays could be recorded.");
+    const auto shader = kernels_->rayShader(*context_, state_.scene->render.shader, true);
+    if (!shader)
+        return std::unexpected(shader.error());
+    RayShader* const ordinary = std::exchange(rayShader_, *shader);
+    state_.dropped = true;
+    nextPixel_ = 0;
+    RayRecord record;
+    std::vector<std::uint32_t> count(1, 0);
+    Result<void> ok = record.rays.reserve(*context_, 1, "rays");
+    for (int run = 0; ok && run < 2; ++run) { // the first only counts
+        const std::uint32_t none = 0;
+        record.capacity = count.front();
+        ok = record.rays.reserve(*context_, record.capacity, "rays");
+        if (ok)
+            ok = record.count.assign(*context_, std::span(&none, 1), "number of rays");
+        if (ok)
+            ok = launchChunk(film_.pixelCount, &record);
+        if (ok)
+            ok = record.count.read(*context_, count, 0, "number of rays");
+    }
+    rayShader_ = ordinary;
+    std::vector<DeviceRecordedRay> rays(std::min(record.capacity, count.front()));
+    if (ok)
+        ok = record.rays.read(*context_, rays, 0, "rays");
+    if (!ok)
+        return std::unexpected(ok.error());
+    return rays;
 }
 
 Result<Pick> Renderer::pick(double x, double y, int viewWidth, int viewHeight) {

@@ -28,6 +28,13 @@ struct RendererOptions {
     bool renewTrees = true; ///< Build trees anew, in the background, that refitting has worn out.
 };
 
+/// Where a recording shader puts its rays.
+struct RayRecord {
+    Buffer<DeviceRecordedRay> rays;
+    Buffer<std::uint32_t> count; ///< One, of the rays that there are, also where there is no room for them.
+    std::uint32_t capacity = 0;
+};
+
 /// A picture for the screen, sRGB RGBA.
 struct Preview {
     std::vector<std::uint8_t> pixels;
@@ -90,6 +97,11 @@ class Renderer {
     /// device (two bytes a pixel): only where `readWork` is set.
     RenderStatistics statistics(bool readWork);
 
+    /// For measurements: all rays of the last pass, which is repeated twice with a shader that writes them
+    /// down. Those of a packet stand together, sixteen in a row; ones that only fill it up have tMax -1. The
+    /// picture is lost. Errors: no pass yet, no memory.
+    Result<std::vector<DeviceRecordedRay>> recordRays();
+
     /// What the centre of a pixel of a view shows; the scene is the one of the last `begin`.
     Result<Pick> pick(double x, double y, int viewWidth, int viewHeight);
 
@@ -102,7 +114,7 @@ class Renderer {
     Renderer(std::unique_ptr<Context> context, TreeLayout layout, std::function<void()> treeReady);
 
     Result<void> update(const RenderPlan& plan, const Scene& scene);
-    Result<void> launchChunk(std::uint32_t count);
+    Result<void> launchChunk(std::uint32_t count, const RayRecord* recorder = nullptr);
     Result<void> traceCameraRays(std::uint32_t count, ClEvent& generated, ClEvent& traced);
     void addWork(RenderStatistics& statistics);
     DeviceView viewOf(const Scene& scene, int width, int height) const;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -31,7 +32,23 @@ struct PassTimes {
     double shade = 0.0;      ///< Surfaces, lights and materials.
     double accumulate = 0.0; ///< Adding to the picture.
     bool isEstimated = false;
+
+    void add(const PassTimes& other) {
+        for (const auto part : parts)
+            this->*part += other.*part;
+        isEstimated = other.isEstimated;
+    }
+    void scale(double by) {
+        for (const auto part : parts)
+            this->*part *= by;
+    }
+
+    static const std::array<double PassTimes::*, 6> parts; ///< All of them.
 };
+
+inline constexpr std::array<double PassTimes::*, 6> PassTimes::parts{
+    &PassTimes::generate, &PassTimes::trace, &PassTimes::shadow,
+    &PassTimes::single,   &PassTimes::shade, &PassTimes::accumulate};
 
 /// About the picture on the screen, for the overlay and --stats.
 struct RenderStatistics {

@@ -43,6 +43,7 @@ class BenchCommandTest : public QObject {
   private Q_SLOTS:
     void initTestCase();
     void trace();
+    void frame();
     void build();
     void refit();
     void ruin();
@@ -79,6 +80,34 @@ void BenchCommandTest::checkTrace(const QJsonObject& report) {
 void BenchCommandTest::trace() {
     checkTrace(bench({"trace", "--triangles", "3000", "--width", "64", "--height", "64"}));
     checkTrace(bench({"trace", "--instanced", "--triangles", "3000", "--width", "64", "--height", "64"}));
+}
+
+void BenchCommandTest::frame() {
+    const QJsonObject report = bench({"frame", "--triangles", "3000", "--width", "64", "--height", "48"});
+    QVERIFY(std::abs(report["triangles"].toDouble() - 3000) < 500);
+    const QJsonArray frames = report["frames"].toArray();
+    QCOMPARE(frames.size(), 2);
+    for (const QJsonValue& value : frames) {
+        const QJsonObject frame = value.toObject();
+        for (const char* key : {"milliseconds", "framesPerSecond", "raysMilliseconds", "ratio"})
+            QVERIFY2(isPositive(frame[key]), key);
+        QCOMPARE(frame["nonFinitePixels"].toInt(-1), 0);
+        double sum = 0.0;
+        double shadow = 0.0;
+        for (const QJsonValue& set : frame["rays"].toArray()) {
+            const QString name = set.toObject()["rays"].toString();
+            const double count = set.toObject()["count"].toDouble();
+            if (name == "camera")
+                QCOMPARE(count, 64.0 * 48.0);
+            shadow += name.startsWith("shadow") ? count : 0.0;
+            sum += set.toObject()["milliseconds"].toDouble();
+        }
+        QVERIFY(shadow > 64.0 * 48.0 / 2); // a closed room: every pixel asks for the light, if it faces it
+        QVERIFY(std::abs(sum - frame["raysMilliseconds"].toDouble()) < 1e-6 * sum);
+        QVERIFY(std::abs(frame["ratio"].toDouble() * sum - frame["milliseconds"].toDouble()) < 1e-6 * sum);
+    }
+    QCOMPARE(frames[0].toObject()["shader"].toString(), "whitted");
+    QCOMPARE(frames[1].toObject()["shader"].toString(), "path");
 }
 
 void BenchCommandTest::build() {

@@ -69,3 +69,30 @@ kernel void densitiesAlong(SCENE_PARAMETERS, DeviceShading shading, const global
         put(answers[i].metRadiance, backgroundRadiance(&scene, &shading, ray.direction));
     }
 }
+
+// Where walks down the tree of lights end from one position: the leaf's emitter, and the walk's probability.
+kernel void chooseEmitters(SCENE_PARAMETERS, const global Question* questions, global uint* chosen,
+                           global float* probabilities, uint count) {
+    uint i = get_global_id(0);
+    if (i >= count)
+        return;
+    Scene scene = SCENE;
+    TreeChoice choice = chooseEmitter(&scene, loadFloat3(questions[i].position), loadFloat3(questions[i].normal),
+                                      questions[i].u[2]);
+    chosen[i] = choice.emitter;
+    probabilities[i] = choice.probability;
+}
+
+// The probability of every leaf from the first question's position; for inner nodes -1.
+kernel void chancesOfNodes(SCENE_PARAMETERS, const global Question* questions, global uint* chosen,
+                           global float* probabilities, uint count) {
+    uint i = get_global_id(0);
+    if (i >= count)
+        return;
+    Scene scene = SCENE;
+    bool isLeaf = scene.lightNodes[i].child & PRIZMA_LEAF_BIT;
+    chosen[i] = scene.lightNodes[i].child & ~PRIZMA_LEAF_BIT;
+    probabilities[i] = isLeaf ? probabilityOfLeaf(&scene, loadFloat3(questions[0].position),
+                                                  loadFloat3(questions[0].normal), i)
+                              : -1.0f;
+}

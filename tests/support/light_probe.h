@@ -41,6 +41,8 @@ class LightProbe {
             qFatal("%s", program.error().message.c_str());
         sample_ = take(Kernel::create(*program, "sampleEvents"));
         densities_ = take(Kernel::create(*program, "densitiesAlong"));
+        choose_ = take(Kernel::create(*program, "chooseEmitters"));
+        chances_ = take(Kernel::create(*program, "chancesOfNodes"));
     }
 
     void setScene(const Scene& scene) {
@@ -68,6 +70,31 @@ class LightProbe {
     /// Fills in what is met along each answer's direction, and with which density it is chosen.
     void densitiesAlong(const std::vector<Question>& questions, std::vector<Answer>& answers) {
         run(densities_, questions, answers);
+    }
+
+    /// An emitter of the light tree (PRIZMA_NO_HIT: none), and the probability of coming to it.
+    struct Choice {
+        std::uint32_t emitter;
+        float probability;
+    };
+
+    /// Where a walk down the tree ends, for each question.
+    std::vector<Choice> choose(const std::vector<Question>& questions) {
+        return choices(choose_, questions, questions.size());
+    }
+
+    /// All leaves, as seen from `from`.
+    std::vector<Choice> chances(const Question& from) {
+        const std::size_t emitters = leafCount();
+        std::vector<Choice> all = choices(chances_, {from}, emitters == 0 ? 0 : 2 * emitters - 1);
+        std::erase_if(all, [](const Choice& choice) { return choice.probability < 0.0f; });
+        return all;
+    }
+
+    /// Lights that are not directional, and triangles that shine.
+    std::size_t leafCount() const {
+        const LightStore& lights = renderer_.deviceScene().lights();
+        return lights.treeSize() == 0 ? 0 : (lights.treeSize() + 1) / 2;
     }
 
     /// Of the last kernel.
@@ -101,8 +128,32 @@ class LightProbe {
         milliseconds_ = milliseconds(*launched);
     }
 
+    std::vector<Choice> choices(Kernel& kernel, const std::vector<Question>& questions, std::size_t count) {
+        Context& context = renderer_.context();
+        std::vector<std::uint32_t> emitters(count);
+        std::vector<float> probabilities(count);
+        check(questions_.assign(context, questions, "questions"));
+        check(emitters_.reserve(context, count, "emitters"));
+        check(probabilities_.reserve(context, count, "probabilities"));
+        renderer_.deviceScene().setSceneArguments(kernel);
+        kernel.addArgument(questions_);
+        kernel.addArgument(emitters_);
+        kernel.addArgument(probabilities_);
+        kernel.addArgument(static_cast<std::uint32_t>(count));
+        if (const auto launched = kernel.launch(context, count, 64); !launched)
+            qFatal("%s", launched.error().message.c_str());
+        check(emitters_.read(context, emitters, 0, "emitters"));
+        check(probabilities_.read(context, probabilities, 0, "probabilities"));
+        std::vector<Choice> result;
+        for (std::size_t i = 0; i < count; ++i)
+            result.push_back({emitters[i], probabilities[i]});
+        return result;
+    }
+
     Renderer& renderer_;
-    Kernel sample_, densities_;
+    Kernel sample_, densities_, choose_, chances_;
+    Buffer<std::uint32_t> emitters_;
+    Buffer<float> probabilities_;
     Buffer<Question> questions_;
     Buffer<Answer> answers_;
     DeviceShading shading_{};

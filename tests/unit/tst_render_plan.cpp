@@ -69,6 +69,9 @@ class RenderPlanTest : public QObject {
     void cameraTouchesNoBuffer();
     void resizeTouchesNoBuffer();
     void lightTouchesLightsOnly();
+    void backgroundTouchesItsTableOnly();
+    void emissiveObjectsAreLights();
+    void poseOfAnEmissiveObjectLeavesTheLights();
     void exposureTouchesDisplayOnly();
     void materialValueTouchesMaterialsOnly();
     void movedObjectTouchesTopLevelOnly();
@@ -133,6 +136,62 @@ void RenderPlanTest::lightTouchesLightsOnly() {
     Scene after = before;
     after.lights.edit()[0].intensity = 7.0;
     QCOMPARE(stagesOf(planAfter(before, after)), then({Stage::Lights, Stage::LightTree}));
+}
+
+void RenderPlanTest::backgroundTouchesItsTableOnly() {
+    const Scene before = makeScene();
+    Scene after = before;
+    after.background.color.x += 0.1;
+    QCOMPARE(stagesOf(planAfter(before, after)), then({Stage::Background}));
+    after = before;
+    after.background.rotation = 40.0;
+    QCOMPARE(stagesOf(planAfter(before, after)), then({Stage::Background}));
+}
+
+/// Whatever changes the triangles that shine brings the light tree up to date, and nothing else does.
+void RenderPlanTest::emissiveObjectsAreLights() {
+    Scene before = makeScene();
+    Material lamp = lambert();
+    lamp.emission = glm::dvec3(4.0);
+    const Id bright = addMaterial(before, lamp);
+    const std::size_t material = before.materials.size() - 1;
+    before.objects.edit()[0].materials = {bright};
+    const auto stagesAfter = [&](const auto& edit) {
+        Scene after = before;
+        edit(after);
+        return stagesOf(planAfter(before, after));
+    };
+    QCOMPARE(stagesAfter([](Scene& s) { s.objects.edit()[0].transform.translation.x += 1.0; }),
+             then({Stage::TopLevel, Stage::LightTree}));
+    QCOMPARE(stagesAfter([](Scene& s) { s.objects.edit()[1].transform.translation.x += 1.0; }),
+             then({Stage::TopLevel}));
+    QCOMPARE(stagesAfter([](Scene& s) { s.objects.edit()[0].visible = false; }),
+             then({Stage::TopLevel, Stage::LightTree}));
+    QCOMPARE(stagesAfter([](Scene& s) { s.objects.edit()[1].visible = false; }), then({Stage::TopLevel}));
+    QCOMPARE(stagesAfter([&](Scene& s) { s.materials.edit()[material].emissionStrength = 2.0; }),
+             then({Stage::Materials, Stage::LightTree}));
+    QCOMPARE(stagesAfter([&](Scene& s) { s.materials.edit()[material].doubleSided = false; }),
+             then({Stage::Materials, Stage::LightTree}));
+    QCOMPARE(stagesAfter([&](Scene& s) { s.materials.edit()[material].roughness = 0.2; }),
+             then({Stage::Materials}));
+    QCOMPARE(stagesAfter([](Scene& s) { s.materials.edit()[0].emission = glm::dvec3(1.0); }),
+             then({Stage::Materials, Stage::LightTree}));
+    QCOMPARE(stagesAfter([&](Scene& s) { s.objects.edit()[1].materials = {bright}; }),
+             then({Stage::TopLevel, Stage::LightTree}));
+    QCOMPARE(stagesAfter([](Scene& s) { s.camera.position.x += 0.1; }), newPicture);
+}
+
+/// Triangles are sampled where the device's vertices are: the tree has nothing to learn from a pose.
+void RenderPlanTest::poseOfAnEmissiveObjectLeavesTheLights() {
+    Scene before = makeScene();
+    Material lamp = lambert();
+    lamp.emission = glm::dvec3(4.0);
+    before.objects.edit()[2].materials = {addMaterial(before, lamp)};
+    Scene after = before;
+    after.timeline.frame = 12.0;
+    QCOMPARE(stagesOf(planAfter(before, after)),
+             then({Stage::Poses, Stage::VertexShader, Stage::TriangleShader, Stage::RefitTreeShader,
+                   Stage::TopLevel}));
 }
 
 void RenderPlanTest::exposureTouchesDisplayOnly() {

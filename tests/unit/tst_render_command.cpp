@@ -131,6 +131,7 @@ void RenderCommandTest::depthAndViewReachTheFile() {
     const QByteArray plain = picture({});
     const QByteArray deep = picture({"--depth", "16"});
     const QByteArray filmic = picture({"--set", "render.viewTransform=filmic"});
+    QVERIFY(plain.size() > 33 && deep.size() > 33);
     // A PNG's header says how many bits a channel has; the chunk after it which colours they mean.
     QCOMPARE(static_cast<int>(plain[24]), 8);
     QCOMPARE(static_cast<int>(deep[24]), 16);

@@ -62,10 +62,11 @@ bool contains(const DeviceLightNode& node, const Bounds& box) {
     return glm::all(glm::lessThanEqual(low, box.low)) && glm::all(glm::greaterThanEqual(high, box.high));
 }
 
-/// Whether a node's cone holds an emitter's, within a thousandth of a radian.
+/// Whether a node's cone holds an emitter's, within two thousandths of a radian. Where something shines to
+/// both sides the kernels take the cone and its opposite for one, so that either may hold it.
 bool containsNormals(const DeviceLightNode& node, const LightBounds& emitter) {
     float cosine = glm::dot(load(node.axis), emitter.normals.axis);
-    if ((node.flags & PRIZMA_LIGHT_TWO_SIDED) != 0 && emitter.twoSided)
+    if ((node.flags & PRIZMA_LIGHT_TWO_SIDED) != 0)
         cosine = std::abs(cosine);
     const float between = std::acos(std::clamp(cosine, -1.0f, 1.0f));
     return std::min(between + emitter.normals.angle, pi) <=

@@ -23,9 +23,9 @@ namespace {
 constexpr int cosines = 24;
 constexpr int roughnesses = 17;
 constexpr double leastRoughness = 0.08; // SMOOTH_ROUGHNESS of bsdf.clh
-constexpr double roughnessPower = 1.4;
+constexpr double roughnessPower = 4.0 / 3.0; // whose inverse, as that of the next, is made of square roots
 constexpr int indices = 14;
-constexpr double indexPower = 2.5;
+constexpr double indexPower = 8.0 / 3.0;
 constexpr double largestIor = 4.0;
 constexpr int steps = 80; // of the integral, along each of its two axes
 
@@ -154,9 +154,9 @@ int main() {
     std::printf(
         "// Made by kernels/tables/make_bsdf_tables.cpp; see there.\n#ifndef PRIZMA_BSDF_TABLES\n"
         "#define PRIZMA_BSDF_TABLES\n#define ALBEDO_COSINES %d\n#define ALBEDO_ROUGHNESSES %d\n"
-        "#define ALBEDO_LEAST_ROUGHNESS %.9ff\n#define ALBEDO_ROUGHNESS_POWER %.9ff\n"
-        "#define ALBEDO_INDICES %d\n#define ALBEDO_FARTHEST_INDEX %.9ff\n#define ALBEDO_INDEX_POWER %.9ff\n",
-        cosines, roughnesses, leastRoughness, roughnessPower, indices, farthest, indexPower);
+        "#define ALBEDO_LEAST_ROUGHNESS %.9ff\n"
+        "#define ALBEDO_INDICES %d\n#define ALBEDO_FARTHEST_INDEX %.9ff\n",
+        cosines, roughnesses, leastRoughness, indices, farthest);
     printTable("specularAlbedo", Kind::Specular, in);
     printTable("glassAlbedoIn", Kind::Glass, in);
     printTable("glassAlbedoOut", Kind::Glass, out);

@@ -474,6 +474,7 @@ void TestTimeline::robotWalks() {
     clips().scrollToItem(rows.front());
     const QPoint place = clips().visualItemRect(rows.front()).center();
     moveMouse(*clips().viewport(), place);
+    QTRY_VERIFY_WITH_TIMEOUT(viewport().lastFrame(), 60000); // kernels may have to be compiled first
     QTRY_VERIFY(viewport().lastFrame()->scene.objects.size() == 3 &&
                 viewport().lastFrame()->scene.objects[2].clip == "Walking");
     QCOMPARE(scene().objects[2].clip, std::string());

@@ -124,7 +124,8 @@ void RenderCommandTest::depthAndViewReachTheFile() {
     const QTemporaryDir folder;
     const auto picture = [&](const QStringList& more) {
         const QString file = folder.filePath("p.png");
-        return runCommand(arguments(QStringList{"-o", file, "--shader", "whitted"} + more)).exitCode == 0
+        return runCommand(arguments(QStringList{"-o", file, "--set", "render.shader=whitted"} + more))
+                           .exitCode == 0
                    ? contentOf(file)
                    : QByteArray();
     };
@@ -148,8 +149,8 @@ void RenderCommandTest::denoisingIsForTheScreen() {
     const QTemporaryDir folder;
     const auto picture = [&](const QString& denoise) {
         const QString file = folder.filePath("p.png");
-        return runCommand(
-                   arguments({"-o", file, "--shader", "whitted", "--set", "render.denoise=" + denoise}))
+        return runCommand(arguments({"-o", file, "--set", "render.shader=whitted", "--set",
+                                     "render.denoise=" + denoise}))
                            .exitCode == 0
                    ? contentOf(file)
                    : QByteArray();

@@ -49,13 +49,7 @@ class RadianceTest : public QObject {
 
   private:
     OfflinePicture render(const Scene& scene, int width = 32, int height = 24) {
-        OfflineOptions options;
-        options.width = width;
-        options.height = height;
-        auto picture = renderOffline(*renderer_, scene, options);
-        if (!picture)
-            qFatal("%s", picture.error().message.c_str());
-        return std::move(*picture);
+        return renderPicture(*renderer_, scene, width, height);
     }
 
     std::unique_ptr<Renderer> renderer_;

@@ -119,15 +119,7 @@ class SurfaceTest : public QObject {
 
   private:
     OfflinePicture render(const Scene& scene, int width = 24, int height = 18) {
-        OfflineOptions options;
-        options.width = width;
-        options.height = height;
-        auto picture = renderOffline(*renderer_, scene, options);
-        if (!picture)
-            qFatal("%s", picture.error().message.c_str());
-        if (picture->nonFinitePixels != 0)
-            qFatal("%u pixels are not finite", static_cast<unsigned>(picture->nonFinitePixels));
-        return std::move(*picture);
+        return renderPicture(*renderer_, scene, width, height);
     }
 
     /// A row for each shader that has to agree; the test fetches "shader".

@@ -97,15 +97,7 @@ class WhittedOpticsTest : public QObject {
 
   private:
     OfflinePicture render(const Scene& scene, int width = 33, int height = 33) {
-        OfflineOptions options;
-        options.width = width;
-        options.height = height;
-        auto picture = renderOffline(*renderer_, scene, options);
-        if (!picture)
-            qFatal("%s", picture.error().message.c_str());
-        if (picture->nonFinitePixels != 0)
-            qFatal("pixels that are not finite");
-        return std::move(*picture);
+        return renderPicture(*renderer_, scene, width, height);
     }
 
     std::unique_ptr<Renderer> renderer_;

@@ -100,6 +100,19 @@ inline std::unique_ptr<Renderer> makeRenderer(std::optional<TreeLayout> layout =
     return makeRenderer(std::move(options));
 }
 
+/// A picture of the scene; rendering that fails, or a pixel that is no number, ends the test program.
+inline OfflinePicture renderPicture(Renderer& renderer, const Scene& scene, int width, int height) {
+    OfflineOptions options;
+    options.width = width;
+    options.height = height;
+    auto picture = renderOffline(renderer, scene, options);
+    if (!picture)
+        qFatal("%s", picture.error().message.c_str());
+    if (picture->nonFinitePixels != 0)
+        qFatal("%u pixels are not finite", static_cast<unsigned>(picture->nonFinitePixels));
+    return std::move(*picture);
+}
+
 /// Linear radiance of one pixel.
 inline glm::dvec3 pixelOf(const OfflinePicture& picture, int x, int y) {
     const auto i = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +

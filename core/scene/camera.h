@@ -9,8 +9,10 @@ struct Camera {
     glm::dvec3 position{0.0, 1.5, 6.0};
     glm::dvec3 target{0.0, 1.0, 0.0}; ///< What it looks at, and what orbiting turns about.
     glm::dvec3 up{0.0, 1.0, 0.0};
-    double fovY = 45.0;         ///< Vertical field of view in degrees.
-    double lensRadius = 0.0;    ///< In scene units; 0: a pinhole, everything is sharp.
+    double fovY = 45.0; ///< Vertical field of view in degrees.
+    bool orthographic =
+        false;               ///< Parallel rays; the picture is as high as the perspective one is at `target`.
+    double lensRadius = 0.0; ///< In scene units; 0: a pinhole, everything is sharp.
     double focusDistance = 0.0; ///< Along the view direction, in scene units; 0: as far as the target.
 
     friend bool operator==(const Camera&, const Camera&) = default;

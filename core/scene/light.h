@@ -16,7 +16,9 @@ struct Light {
     Id id = noId;
     std::string name;
     LightType type = LightType::Point;
+    Id parent = noId; ///< The group whose space its place is given in; without one, world space.
     bool enabled = true;
+    bool solo = false;   ///< While any light has this, only those that have it shine.
     bool visible = true; ///< Rectangle, sphere: the camera sees it.
 
     glm::dvec3 color{1.0};

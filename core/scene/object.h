@@ -36,11 +36,15 @@ struct Object {
     Id id = noId;
     std::string name;
     MeshSource source;
-    MeshPtr mesh; ///< Null while it is being loaded, or if that failed.
-    Transform transform;
+    MeshPtr mesh;              ///< Null while it is being loaded, or if that failed.
+    Id parent = noId;          ///< The group it hangs under.
+    Transform transform;       ///< To the space of its group; without one, to world space.
     std::vector<Id> materials; ///< One a slot of the mesh.
     bool visible = true;
-    bool dynamic = false; ///< Its vertices move (thesis: Static or Dynamic).
+    bool seenByCamera = true;      ///< Camera rays meet it.
+    bool seenInReflections = true; ///< Rays that were reflected or refracted meet it.
+    bool castsShadows = true;      ///< Shadow rays meet it.
+    bool dynamic = false;          ///< Its vertices move (thesis: Static or Dynamic).
 
     std::vector<std::string>
         clipFiles; ///< Absolute paths of the animation files brought in beside the model.

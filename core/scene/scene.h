@@ -2,6 +2,7 @@
 
 #include "core/scene/camera.h"
 #include "core/scene/cow_list.h"
+#include "core/scene/group.h"
 #include "core/scene/light.h"
 #include "core/scene/material.h"
 #include "core/scene/object.h"
@@ -43,18 +44,37 @@ enum class ViewTransform {
     Filmic    ///< A film's soft shoulder: highlights fade to white.
 };
 
+/// A part of the picture, in fractions of its width and height from the upper left; left < right, top <
+/// bottom.
+struct Region {
+    double left = 0.0, top = 0.0, right = 1.0, bottom = 1.0;
+
+    friend bool operator==(const Region&, const Region&) = default;
+};
+
 struct RenderSettings {
     ShaderType shader = ShaderType::Whitted;
     int maxDepth = 6;                ///< Bounces; 0 is direct light only. Whitted follows 6 at most.
     bool transparentShadows = false; ///< Whitted: light goes straight through glass instead of being stopped.
     double fireflyClamp = 0.0; ///< Path: brightest radiance that one indirect sample may add; 0: no limit.
     int seed = 0;              ///< Another seed, other noise.
-    int samples = 256;         ///< A pixel is done after this many.
-    double exposure = 0.0;     ///< In stops; display only.
+    int samples = 256;         ///< A pixel is done after this many,
+    double maxError = 0.0;     ///< or as soon as its estimated relative error is below this; 0: never sooner.
+    std::optional<Region> region;                          ///< Only these pixels are rendered.
+    double exposure = 0.0;                                 ///< In stops; display only.
     ViewTransform viewTransform = ViewTransform::Standard; ///< Display only.
     bool denoise = false; ///< The preview only: the picture is smoothed along surfaces, and marked so.
 
     friend bool operator==(const RenderSettings&, const RenderSettings&) = default;
+};
+
+/// A view to come back to.
+struct CameraBookmark {
+    Id id = noId;
+    std::string name;
+    Camera camera;
+
+    friend bool operator==(const CameraBookmark&, const CameraBookmark&) = default;
 };
 
 /// Everything a picture depends on. A value: copying costs a few pointers (snapshots), `==` says whether two
@@ -63,6 +83,8 @@ struct Scene {
     CowList<Object> objects;
     CowList<Light> lights;
     CowList<Material> materials;
+    CowList<Group> groups;
+    CowList<CameraBookmark> bookmarks;
     Camera camera;
     Background background;
     Timeline timeline;

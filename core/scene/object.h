@@ -4,6 +4,7 @@
 #include "core/scene/id.h"
 #include "core/scene/mesh.h"
 #include "core/scene/playback.h"
+#include "core/scene/shader.h"
 #include "core/scene/transform.h"
 
 #include <map>
@@ -52,6 +53,9 @@ struct Object {
     std::string clip; ///< Name of the clip that plays; empty for the bind pose.
     Playback playback;
     std::map<std::string, double> morphWeights; ///< By the morph target's name; those left out are 0.
+
+    Id vertexShader = noId;    ///< A shader of the project's own that moves its vertices.
+    ShaderValues shaderValues; ///< Of the vertex shader's parameters.
 
     friend bool operator==(const Object&, const Object&) = default;
 };

@@ -83,6 +83,7 @@ std::string uniqueName(const CowList<T>& list, const std::string& wanted) {
 template std::string uniqueName(const CowList<Object>&, const std::string&);
 template std::string uniqueName(const CowList<Light>&, const std::string&);
 template std::string uniqueName(const CowList<Material>&, const std::string&);
+template std::string uniqueName(const CowList<Group>&, const std::string&);
 
 Camera frameBounds(Camera camera, const DBounds& bounds, double aspect) {
     if (bounds.isEmpty())

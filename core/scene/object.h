@@ -60,8 +60,8 @@ struct Object {
     friend bool operator==(const Object&, const Object&) = default;
 };
 
-/// The box of the object's mesh in world space as it was modelled (core/animation/posed_bounds.h has the one
-/// of its pose); empty without a mesh.
+/// The box of the object's mesh as it was modelled, in the space of its group (core/animation/posed_bounds.h
+/// has the one of its pose in world space); empty without a mesh.
 DBounds bindPoseBounds(const Object& object);
 
 /// `box` after `toWorld`, as the box of its eight corners; empty if it is empty.

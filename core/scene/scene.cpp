@@ -91,6 +91,7 @@ template std::string uniqueName(const CowList<Object>&, const std::string&);
 template std::string uniqueName(const CowList<Light>&, const std::string&);
 template std::string uniqueName(const CowList<Material>&, const std::string&);
 template std::string uniqueName(const CowList<Shader>&, const std::string&);
+template std::string uniqueName(const CowList<Group>&, const std::string&);
 
 Camera frameBounds(Camera camera, const DBounds& bounds, double aspect) {
     if (bounds.isEmpty())

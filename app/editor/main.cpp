@@ -1,3 +1,4 @@
+#include "core/compute/worker_affinity.h"
 #include "ui/main_window/main_window.h"
 #include "ui/main_window/theme.h"
 #include "ui/preferences/preferences_dialog.h"
@@ -35,6 +36,7 @@ void installTranslators(QApplication& application, QTranslator& own, QTranslator
 } // namespace
 
 int main(int argc, char** argv) {
+    prizma::keepDeviceWorkersApart();
     QApplication application(argc, argv);
     QApplication::setOrganizationName(QStringLiteral("Prizma"));
     QApplication::setApplicationName(QStringLiteral("prizma"));

@@ -1,6 +1,8 @@
 #include "app/render/command.h"
+#include "core/compute/worker_affinity.h"
 
 int main(int argc, char** argv) {
+    prizma::keepDeviceWorkersApart();
     CLI::App app{"Renders, inspects and measures Prizma scenes without a display.", "prizma-render"};
     app.require_subcommand(1);
     app.fallthrough(false);

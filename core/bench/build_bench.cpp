@@ -38,7 +38,7 @@ Result<Times> runOnce(const std::set<MeshPtr>& meshes, TreeLayout layout, bool f
         Progress progress;
         Result<Bvh> bvh;
         DeviceTree tree;
-        times.build += measure([&] { bvh = buildBvh(*mesh, buildOptionsFor(layout), progress); });
+        times.build += measure([&] { bvh = buildBottomLevel(*mesh, layout, progress); });
         if (!bvh)
             return std::unexpected(bvh.error());
         times.layout += measure([&] { tree = layOutBottomLevel(*bvh, *mesh, layout); });

@@ -1,5 +1,7 @@
 #include "core/bvh/tree_store.h"
 
+#include "core/bvh/reinsertion.h"
+
 #include <algorithm>
 #include <set>
 
@@ -12,8 +14,21 @@ BvhBuildOptions buildOptionsFor(TreeLayout layout) {
     return options;
 }
 
+Result<Bvh> buildBottomLevel(const Mesh& mesh, TreeLayout layout, Progress& progress) {
+    constexpr double buildShare = 0.9; // of the time
+    const BvhBuildOptions options = buildOptionsFor(layout);
+    progress.beginPart(0.0, buildShare);
+    auto bvh = buildBvh(mesh, options, progress);
+    progress.beginPart(buildShare, 1.0);
+    ReinsertionOptions reinsertion;
+    reinsertion.maxDepth = options.maxDepth;
+    if (bvh && !reinsertNodes(*bvh, reinsertion, progress))
+        return failure("Building the tree was cancelled.");
+    return bvh;
+}
+
 DeviceTreePtr buildTree(const Mesh& mesh, TreeLayout layout, Progress& progress) {
-    const auto bvh = buildBvh(mesh, buildOptionsFor(layout), progress);
+    const auto bvh = buildBottomLevel(mesh, layout, progress);
     if (!bvh)
         return nullptr;
     return std::make_shared<const DeviceTree>(layOutBottomLevel(*bvh, mesh, layout));

@@ -17,6 +17,10 @@ using DeviceTreePtr = std::shared_ptr<const DeviceTree>;
 /// What a build has to know of the device: how many triangles a leaf's test takes at a time.
 BvhBuildOptions buildOptionsFor(TreeLayout layout);
 
+/// Builds the tree over a mesh's triangles that suits a layout: binned SAH, then the largest nodes
+/// reinserted. Errors: cancelled, no memory.
+Result<Bvh> buildBottomLevel(const Mesh& mesh, TreeLayout layout, Progress& progress);
+
 /// Builds and lays out the bottom-level tree of a mesh. Null only if cancelled.
 DeviceTreePtr buildTree(const Mesh& mesh, TreeLayout layout, Progress& progress);
 

@@ -79,6 +79,12 @@ sudo apt install pocl-opencl-icd</translation>
                 <numerusform>%n dolog</numerusform>
             </translation>
         </message>
+        <message numerus="yes">
+            <source>%n group(s)</source>
+            <translation>
+                <numerusform>%n csoport</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>prizma::AnimationExportDialog</name>
@@ -2365,6 +2371,62 @@ sudo apt install pocl-opencl-icd</translation>
         <message>
             <source>Smooths the picture on the screen along surfaces; files stay as they are.</source>
             <translation>A képernyő képét a felületek mentén simítja; a fájlok nem változnak.</translation>
+        </message>
+        <message>
+            <source>Where the object's origin is, in its group's space.</source>
+            <translation>Ahol a tárgy origója van, a csoportja terében.</translation>
+        </message>
+        <message>
+            <source>Seen by camera</source>
+            <translation>A kamera látja</translation>
+        </message>
+        <message>
+            <source>Otherwise one sees it only in mirrors and by its shadow.</source>
+            <translation>Különben csak tükrökben és az árnyékáról látszik.</translation>
+        </message>
+        <message>
+            <source>Seen in reflections</source>
+            <translation>Tükröződésekben látszik</translation>
+        </message>
+        <message>
+            <source>Light that was reflected or refracted meets it; otherwise mirrors do not show it.</source>
+            <translation>A visszavert és megtört fény eléri; különben a tükrök nem mutatják.</translation>
+        </message>
+        <message>
+            <source>Casts shadows</source>
+            <translation>Árnyékot vet</translation>
+        </message>
+        <message>
+            <source>It stops the light of lights.</source>
+            <translation>Feltartja a fényforrások fényét.</translation>
+        </message>
+        <message>
+            <source>Solo</source>
+            <translation>Egyedül</translation>
+        </message>
+        <message>
+            <source>While any light is solo, only those that are shine.</source>
+            <translation>Amíg bármelyik fényforrás egyedüli, csak az ilyenek világítanak.</translation>
+        </message>
+        <message>
+            <source>What the group is called in the scene tree.</source>
+            <translation>A csoport neve a fában.</translation>
+        </message>
+        <message>
+            <source>A hidden group hides all that is in it.</source>
+            <translation>A rejtett csoport mindent elrejt, ami benne van.</translation>
+        </message>
+        <message>
+            <source>Where the group's origin is; its members move with it.</source>
+            <translation>Ahol a csoport origója van; tagjai vele mozognak.</translation>
+        </message>
+        <message>
+            <source>Size along each axis; its members grow with it.</source>
+            <translation>Méret tengelyenként; tagjai vele nőnek.</translation>
+        </message>
+        <message>
+            <source>Rays</source>
+            <translation>Sugarak</translation>
         </message>
     </context>
 </TS>

@@ -36,7 +36,7 @@ Scene crowd(const Scene& scene, int copies, double aspect) {
     result.objects.edit().clear();
     const int side = static_cast<int>(std::ceil(std::sqrt(copies)));
     for (const Object& original : scene.objects) {
-        const glm::dvec3 extent = bindPoseBounds(original).extent();
+        const glm::dvec3 extent = bindPoseBounds(original).extent(); // in its group's space, as the spacing
         const double spacing = 1.3 * std::max(extent.x, extent.z);
         for (int i = 0; i < copies; ++i) {
             Object copy = original;

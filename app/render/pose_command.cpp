@@ -66,6 +66,7 @@ Result<Scene> prepareScene(const PoseArguments& arguments, Id& chosen) {
         object.visible = object.id == chosen;
         if (!object.visible)
             continue;
+        object.parent = noId; // out of the reach of a hidden group; poses are in object space
         auto held = holdFrame(object, arguments.clip, arguments.frame);
         if (!held)
             return std::unexpected(held.error());

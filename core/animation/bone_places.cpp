@@ -15,7 +15,7 @@ glm::vec3 wayBack(const Skeleton& skeleton, const std::vector<glm::mat4>& bind, 
 
 } // namespace
 
-std::vector<BonePlace> bonePlaces(const Object& object, double seconds) {
+std::vector<BonePlace> bonePlaces(const Object& object, const glm::dmat4& toWorld, double seconds) {
     std::vector<BonePlace> places;
     if (!object.mesh || !object.mesh->skeleton)
         return places;
@@ -28,7 +28,6 @@ std::vector<BonePlace> bonePlaces(const Object& object, double seconds) {
     for (const Bone& bone : skeleton.bones)
         if (bone.parent >= 0)
             isLeaf[static_cast<std::size_t>(bone.parent)] = false;
-    const glm::dmat4 toWorld = object.transform.matrix();
     for (std::size_t i = 0; i < posed.size(); ++i) {
         BonePlace place{glm::dvec3(toWorld * glm::dvec4(posed[i][3])), {}};
         const glm::vec3 back = isLeaf[i] ? wayBack(skeleton, bind, i) : glm::vec3(0.0f);

@@ -18,7 +18,7 @@ struct BonePlace {
 };
 
 /// The bones of an object at `seconds` of the timeline in the pose in which it is drawn, in the skeleton's
-/// order. Empty without a skeleton.
-std::vector<BonePlace> bonePlaces(const Object& object, double seconds);
+/// order. Empty without a skeleton. `toWorld` is from the object's own space to world space.
+std::vector<BonePlace> bonePlaces(const Object& object, const glm::dmat4& toWorld, double seconds);
 
 } // namespace prizma

@@ -1,6 +1,7 @@
 #include "core/animation/posed_bounds.h"
 
 #include "core/animation/pose.h"
+#include "core/scene/hierarchy.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -66,17 +67,24 @@ Bounds posedBounds(const Mesh& mesh, const PoseKey& key) {
         merged);
 }
 
-DBounds worldBounds(const Object& object, double seconds) {
-    if (!isPosed(object))
-        return bindPoseBounds(object);
-    return transformed(posedBounds(*object.mesh, poseKeyOf(object, seconds)), object.transform.matrix());
+DBounds worldBounds(const Object& object, const glm::dmat4& toWorld, double seconds) {
+    if (!object.mesh)
+        return {};
+    return transformed(isPosed(object) ? posedBounds(*object.mesh, poseKeyOf(object, seconds))
+                                       : object.mesh->bounds,
+                       toWorld);
+}
+
+DBounds worldBounds(const Scene& scene, const Object& object) {
+    return worldBounds(object, worldMatrix(scene, object), scene.timeline.seconds());
 }
 
 DBounds worldBounds(const Scene& scene) {
+    const Hierarchy hierarchy(scene);
     DBounds bounds;
     for (const Object& object : scene.objects)
-        if (object.visible)
-            bounds.add(worldBounds(object, scene.timeline.seconds()));
+        if (hierarchy.isShown(object))
+            bounds.add(worldBounds(object, hierarchy.worldMatrix(object), scene.timeline.seconds()));
     return bounds;
 }
 

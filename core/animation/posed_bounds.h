@@ -10,10 +10,13 @@ namespace prizma {
 Bounds posedBounds(const Mesh& mesh, const PoseKey& key);
 
 /// The world box of an object as it is at `seconds` of the timeline: in its pose if it is posed. Empty
-/// without a mesh.
-DBounds worldBounds(const Object& object, double seconds);
+/// without a mesh. `toWorld` is from its own space (worldMatrix in core/scene/hierarchy.h).
+DBounds worldBounds(const Object& object, const glm::dmat4& toWorld, double seconds);
 
-/// World box of all visible objects that have a mesh, at the time of the timeline; empty if there is none.
+/// The same at the scene's own time and in its groups.
+DBounds worldBounds(const Scene& scene, const Object& object);
+
+/// World box of all shown objects that have a mesh, at the time of the timeline; empty if there is none.
 DBounds worldBounds(const Scene& scene);
 
 } // namespace prizma

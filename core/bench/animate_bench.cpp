@@ -14,9 +14,10 @@ namespace prizma::bench {
 namespace {
 
 std::vector<const Object*> posedObjects(const Scene& scene) {
+    const Hierarchy hierarchy(scene);
     std::vector<const Object*> posed;
     for (const Object& object : scene.objects)
-        if (isDrawn(object) && isPosed(object))
+        if (isDrawn(hierarchy, object) && isPosed(object))
             posed.push_back(&object);
     return posed;
 }

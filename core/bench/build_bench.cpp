@@ -3,6 +3,7 @@
 #include "core/bench/embree_peer.h"
 #include "core/bench/statistics_of.h"
 #include "core/bvh/tree_store.h"
+#include "core/scene/hierarchy.h"
 
 #include <algorithm>
 #include <set>
@@ -11,9 +12,10 @@ namespace prizma::bench {
 namespace {
 
 std::set<MeshPtr> meshesOf(const Scene& scene) {
+    const Hierarchy hierarchy(scene);
     std::set<MeshPtr> meshes;
     for (const Object& object : scene.objects)
-        if (object.visible && object.mesh)
+        if (object.mesh && hierarchy.isShown(object))
             meshes.insert(object.mesh);
     return meshes;
 }

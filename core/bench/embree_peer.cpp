@@ -4,6 +4,7 @@
 
 #include "core/bench/embree_handles.h"
 #include "core/bench/statistics_of.h"
+#include "core/scene/hierarchy.h"
 
 #include <tbb/parallel_for.h>
 
@@ -35,10 +36,11 @@ class Peer final : public EmbreePeer {
     Peer(const Scene& scene, const glm::dvec3& origin, bool robust)
         : device_(rtcNewDevice(nullptr)), scene_(rtcNewScene(device_.get())) {
         rtcSetSceneFlags(scene_.get(), robust ? RTC_SCENE_FLAG_ROBUST : RTC_SCENE_FLAG_NONE);
+        const Hierarchy hierarchy(scene);
         for (const Object& object : scene.objects) {
-            if (!object.visible || !object.mesh)
+            if (!object.mesh || !hierarchy.isShown(object))
                 continue;
-            const glm::dmat4 matrix = object.transform.matrix();
+            const glm::dmat4 matrix = hierarchy.worldMatrix(object);
             EmbreeCorners corners;
             corners.reserve(object.mesh->positions.size() + 1);
             for (const glm::vec3& position : object.mesh->positions)

@@ -186,7 +186,7 @@ Result<FrameResult> FrameBench::run(ShaderType shader, const std::string& name) 
 } // namespace
 
 Result<FrameReport> benchFrame(Scene scene, const FrameBenchOptions& given) {
-    if (std::none_of(scene.objects.begin(), scene.objects.end(), isDrawn))
+    if (!drawsAnything(scene))
         return failure("There is nothing to draw in the scene.");
     FrameBenchOptions options = given;
     RendererOptions rendererOptions;

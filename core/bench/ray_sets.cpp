@@ -1,6 +1,7 @@
 #include "core/bench/ray_sets.h"
 
 #include "core/animation/posed_bounds.h"
+#include "core/scene/hierarchy.h"
 
 #include <tbb/parallel_for.h>
 
@@ -32,7 +33,7 @@ struct SurfacePoint {
 /// World space corners of a triangle give its true normal.
 glm::dvec3 normalOf(const Scene& scene, const reference::Hit& hit, const glm::dvec3& direction) {
     const Object& object = scene.objects[hit.object];
-    const glm::dmat4 matrix = object.transform.matrix();
+    const glm::dmat4 matrix = worldMatrix(scene, object);
     const glm::uvec3 t = object.mesh->triangles[hit.primitive];
     glm::dvec3 corners[3];
     for (int i = 0; i < 3; ++i)

@@ -32,9 +32,10 @@ class RefitBench {
   public:
     RefitBench(Scene scene, std::unique_ptr<Renderer> renderer)
         : scene_(std::move(scene)), renderer_(std::move(renderer)) {
+        const Hierarchy hierarchy(scene_);
         std::vector<MeshPtr> meshes;
         for (const Object& object : scene_.objects)
-            if (isDrawn(object)) {
+            if (isDrawn(hierarchy, object)) {
                 objects_.push_back(object.id);
                 meshes.push_back(object.mesh);
             }
@@ -109,7 +110,7 @@ Result<RefitReport> RefitBench::run(int repeats) {
 } // namespace
 
 Result<RefitReport> benchRefit(const Scene& scene, const RefitBenchOptions& options) {
-    if (std::none_of(scene.objects.begin(), scene.objects.end(), isDrawn))
+    if (!drawsAnything(scene))
         return failure("There is no mesh in the scene.");
     RendererOptions renderer;
     renderer.deviceId = options.deviceId;

@@ -6,6 +6,7 @@
 #include "core/render/ray_query.h"
 #include "core/render/renderer.h"
 #include "core/render/worn_trees.h"
+#include "core/scene/hierarchy.h"
 
 #include <algorithm>
 #include <chrono>
@@ -137,8 +138,9 @@ Result<std::optional<RenewalTimes>> RenewalBench::run() {
 Result<RuinReport> benchRuin(const Scene& scene, const RuinBenchOptions& options) {
     Scene flying = makeFlyingApart(scene, options.parts, options.distance);
     RuinReport report;
+    const Hierarchy hierarchy(flying);
     for (const Object& object : flying.objects)
-        report.triangles += object.visible && object.mesh ? object.mesh->triangles.size() : 0;
+        report.triangles += object.mesh && hierarchy.isShown(object) ? object.mesh->triangles.size() : 0;
     if (report.triangles == 0)
         return failure("There is no mesh in the scene.");
     const auto query = RayQuery::create(flying, options.deviceId);

@@ -1,5 +1,7 @@
 #include "core/bench/scene_export.h"
 
+#include "core/scene/hierarchy.h"
+
 #include <fmt/os.h>
 
 #include <system_error>
@@ -9,10 +11,11 @@ namespace {
 
 void writeMeshes(const Scene& scene, fmt::ostream& out) {
     std::size_t first = 1; // OBJ counts from 1
+    const Hierarchy hierarchy(scene);
     for (const Object& object : scene.objects) {
-        if (!object.visible || !object.mesh)
+        if (!object.mesh || !hierarchy.isShown(object))
             continue;
-        const glm::dmat4 matrix = object.transform.matrix();
+        const glm::dmat4 matrix = hierarchy.worldMatrix(object);
         out.print("o {}\n", object.name);
         for (const glm::vec3& position : object.mesh->positions) {
             const glm::dvec3 p(matrix * glm::dvec4(glm::dvec3(position), 1.0));
@@ -32,7 +35,7 @@ void writeSetup(const Scene& scene, fmt::ostream& out) {
     const Camera& camera = scene.camera;
     out.print("{{\n  \"camera\": {{\"position\": {}, \"target\": {}, \"up\": {}, \"fovY\": {}}},\n",
               triple(camera.position), triple(camera.target), triple(camera.up), camera.fovY);
-    const Light light = scene.lights.size() > 0 ? scene.lights[0] : Light{};
+    const Light light = scene.lights.size() > 0 ? lightsInWorld(scene)[0] : Light{};
     out.print("  \"light\": {{\"position\": {}, \"intensity\": {}}},\n", triple(light.position),
               light.intensity);
     out.print("  \"background\": {}\n}}\n", triple(scene.background.color * scene.background.intensity));

@@ -4,6 +4,7 @@
 #include "core/bench/ray_sets.h"
 #include "core/bench/statistics_of.h"
 #include "core/render/ray_query.h"
+#include "core/scene/hierarchy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,9 +36,10 @@ class Judge {
   public:
     Judge(const Scene& scene, const reference::Tracer& tracer, const glm::dvec3& origin)
         : tracer_(tracer), origin_(origin) {
+        const Hierarchy hierarchy(scene);
         std::uint32_t instances = 0;
         for (const Object& object : scene.objects)
-            instanceOf_.push_back(object.visible && object.mesh ? instances++ : PRIZMA_NO_HIT);
+            instanceOf_.push_back(object.mesh && hierarchy.isShown(object) ? instances++ : PRIZMA_NO_HIT);
     }
 
     DeviceHit hit(const reference::Ray& ray, bool anyHit) const {
@@ -216,9 +218,10 @@ Result<TraceReport> TraceBench::run() {
 } // namespace
 
 Result<TraceReport> benchTrace(const Scene& scene, const TraceBenchOptions& options) {
+    const Hierarchy hierarchy(scene);
     std::size_t triangles = 0;
     for (const Object& object : scene.objects)
-        triangles += object.visible && object.mesh ? object.mesh->triangles.size() : 0;
+        triangles += object.mesh && hierarchy.isShown(object) ? object.mesh->triangles.size() : 0;
     if (triangles == 0)
         return failure("There is nothing to trace in the scene.");
     auto query = RayQuery::create(scene, options.deviceId);

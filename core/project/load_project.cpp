@@ -2,9 +2,11 @@
 #include "core/import/file_finder.h"
 #include "core/import/text_encoding.h"
 #include "core/project/asset_cache.h"
+#include "core/project/group_links.h"
 #include "core/project/property_json.h"
 #include "core/project/unknown_keys.h"
 #include "core/project/version.h"
+#include "core/scene/hierarchy.h"
 #include "core/scene/property_tables.h"
 
 #include <algorithm>
@@ -37,13 +39,18 @@ class Reader {
                 return std::unexpected(done.error());
         if (auto done = readList("materials", [this](auto&&... a) { return readMaterial(a...); }); !done)
             return std::unexpected(done.error());
+        if (auto done = readList("groups", [this](auto&&... a) { return readGroup(a...); }); !done)
+            return std::unexpected(done.error());
         if (auto done = readList("objects", [this](auto&&... a) { return readObject(a...); }); !done)
             return std::unexpected(done.error());
         if (auto done = readList("lights", [this](auto&&... a) { return readLight(a...); }); !done)
             return std::unexpected(done.error());
-        keepUnknown(
-            root, {"prizma", "camera", "timeline", "background", "render", "materials", "objects", "lights"},
-            unknown_.top);
+        keepUnknown(root,
+                    {"prizma", "camera", "timeline", "background", "render", "materials", "groups", "objects",
+                     "lights"},
+                    unknown_.top);
+        for (const GroupLinks::Fault& fault : groupLinks_.apply(project_.scene))
+            warn(fault.message, fault.place);
         loadTextures();
         if (progress_.isCancelled())
             return failure("Opening the project was cancelled.", file_);
@@ -153,14 +160,49 @@ class Reader {
         return {};
     }
 
+    /// Whom `json` hangs under, as a name; empty for none. `known` gets the key.
+    Result<std::string> readParent(const Json& json, const std::string& path, Keys& known) const {
+        known.insert("parent");
+        const auto found = json.find("parent");
+        if (found == json.end() || found->is_null())
+            return std::string();
+        if (!found->is_string())
+            return error("\"parent\" must be a group's name in quotes.", path + "/parent");
+        return found->get<std::string>();
+    }
+
+    void hang(EntityRef member, const std::string& parent, const std::string& path) {
+        if (!parent.empty())
+            groupLinks_.want(member, parent, path + "/parent");
+    }
+
+    Result<void> readGroup(const Json& json, const std::string& path) {
+        Keys known;
+        const auto parent = readParent(json, path, known);
+        if (!parent)
+            return std::unexpected(parent.error());
+        const auto item = readItem(Group{}, &Scene::groups, EntityKind::Group, json, path, known);
+        if (!item)
+            return std::unexpected(item.error());
+        const Id id = addGroup(project_.scene, *item);
+        warnOfRenaming(item->name, project_.scene.groups.back().name, path);
+        keepUnknown(json, known, unknown_.items[id]);
+        hang({EntityKind::Group, id}, *parent, path);
+        return {};
+    }
+
     Result<void> readLight(const Json& json, const std::string& path) {
         Keys known;
+        const auto parent = readParent(json, path, known);
+        if (!parent)
+            return std::unexpected(parent.error());
         const auto item = readItem(Light{}, &Scene::lights, EntityKind::Light, json, path, known);
         if (!item)
             return std::unexpected(item.error());
         const Id id = addLight(project_.scene, *item);
         warnOfRenaming(item->name, project_.scene.lights.back().name, path);
         keepUnknown(json, known, unknown_.items[id]);
+        hang({EntityKind::Light, id}, *parent, path);
         return {};
     }
 
@@ -176,6 +218,9 @@ class Reader {
         loadClips(object);
         object.dynamic = object.mesh && object.mesh->isSkinned();
         Keys known{"model", "primitive", "size", "upAxis", "unitScale", "clips", "material", "materials"};
+        const auto parent = readParent(json, path, known);
+        if (!parent)
+            return std::unexpected(parent.error());
         auto item = readItem(std::move(object), &Scene::objects, EntityKind::Object, json, path, known);
         if (!item)
             return std::unexpected(item.error());
@@ -185,6 +230,7 @@ class Reader {
         const Id id = addObject(project_.scene, std::move(*item));
         warnOfRenaming(wanted, project_.scene.objects.back().name, path);
         keepUnknown(json, known, unknown_.items[id]);
+        hang({EntityKind::Object, id}, *parent, path);
         if (lost)
             for (const char* key : {"material", "materials"})
                 if (json.contains(key))
@@ -397,6 +443,7 @@ class Reader {
     AssetCache assets_;
     Project project_;
     UnknownKeys unknown_;
+    GroupLinks groupLinks_;
     std::set<std::string> reported_; ///< Models whose warnings were passed on.
     std::map<std::pair<const Mesh*, std::size_t>, Id> imported_;
     Id defaultMaterial_ = noId;

@@ -5,6 +5,7 @@
 #include "core/project/property_json.h"
 #include "core/project/unknown_keys.h"
 #include "core/project/version.h"
+#include "core/scene/hierarchy.h"
 #include "core/scene/property_tables.h"
 
 #include <algorithm>
@@ -26,6 +27,8 @@ class Writer {
         addSection(root, "background", EntityKind::Background);
         addSection(root, "render", EntityKind::Render);
         root["materials"] = writeItems(scene_.materials, EntityKind::Material);
+        if (!scene_.groups.empty())
+            root["groups"] = writeItems(scene_.groups, EntityKind::Group);
         root["objects"] = writeItems(scene_.objects, EntityKind::Object);
         root["lights"] = writeItems(scene_.lights, EntityKind::Light);
         addUnknown(root, unknown_.top);
@@ -74,6 +77,9 @@ class Writer {
             json["name"] = item.name;
             if constexpr (std::is_same_v<T, Object>)
                 addSource(json, item);
+            if constexpr (requires { item.parent; })
+                if (const Group* parent = findGroup(scene_, item.parent))
+                    json["parent"] = parent->name;
             addProperties(json, {kind, item.id});
             if (const auto found = unknown_.items.find(item.id); found != unknown_.items.end())
                 addUnknown(json, found->second);

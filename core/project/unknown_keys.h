@@ -10,7 +10,7 @@ namespace prizma {
 struct UnknownKeys {
     Json top = Json::object();
     std::map<std::string, Json> sections; ///< "camera", "render", ...
-    std::map<Id, Json> items; ///< Of objects, lights and materials; ids are unique over all of them.
+    std::map<Id, Json> items; ///< Of objects, lights, materials and groups; ids are unique over all of them.
     /// How an object whose model could not be loaded names its materials: without the model nobody knows its
     /// slots.
     std::map<Id, Json> materialsOfLost;

@@ -73,9 +73,10 @@ std::optional<double> meet(const Light& light, const Ray& ray) {
 
 } // namespace
 
-std::optional<SeenLight> nearestLight(const Scene& scene, const Ray& ray, double end, bool fromCamera) {
+std::optional<SeenLight> nearestLight(std::span<const Light> lights, const Ray& ray, double end,
+                                      bool fromCamera) {
     std::optional<SeenLight> nearest;
-    for (const Light& light : scene.lights) {
+    for (const Light& light : lights) {
         const glm::dvec3 radiance = light.color * light.radiance;
         if (!light.enabled || (fromCamera && !light.visible) || !(glm::compMax(radiance) > 0.0))
             continue;

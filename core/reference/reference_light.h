@@ -4,6 +4,7 @@
 #include "core/scene/scene.h"
 
 #include <optional>
+#include <span>
 
 namespace prizma::reference {
 
@@ -25,8 +26,9 @@ struct SeenLight {
 };
 
 /// The nearest rectangle (from its front) or sphere that the ray meets before `end`. `fromCamera`: lights
-/// that are not `visible` are left out.
-std::optional<SeenLight> nearestLight(const Scene& scene, const Ray& ray, double end, bool fromCamera);
+/// that are not `visible` are left out. The lights are in world space (lightsInWorld).
+std::optional<SeenLight> nearestLight(std::span<const Light> lights, const Ray& ray, double end,
+                                      bool fromCamera);
 
 /// Radiance from outside the scene.
 glm::dvec3 backgroundRadiance(const Background& background, const glm::dvec3& direction);

@@ -1,6 +1,7 @@
 #include "core/reference/reference_surface.h"
 
 #include "core/reference/reference_texture.h"
+#include "core/scene/hierarchy.h"
 
 #include <algorithm>
 #include <array>
@@ -32,9 +33,10 @@ struct Corners {
     }
 };
 
-Corners cornersOf(const Object& object, const Hit& hit) {
+Corners cornersOf(const Scene& scene, const Hit& hit) {
+    const Object& object = scene.objects[hit.object];
     const Mesh& mesh = *object.mesh;
-    const glm::dmat4 toWorld = object.transform.matrix();
+    const glm::dmat4 toWorld = worldMatrix(scene, object);
     const glm::dmat3 turn(toWorld);
     const glm::dmat3 normalTurn = glm::transpose(glm::inverse(turn));
     Corners c;
@@ -125,7 +127,7 @@ double texelsUnder(const Material& material, const Corners& c, double width, dou
 } // namespace
 
 Surface surfaceAt(const Scene& scene, const Ray& ray, const Hit& hit, double coneWidth) {
-    const Corners c = cornersOf(scene.objects[hit.object], hit);
+    const Corners c = cornersOf(scene, hit);
     const Material& material = materialOf(scene, hit);
     const double slant = glm::dot(glm::normalize(ray.direction), c.outward);
     Surface s;

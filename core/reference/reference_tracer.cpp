@@ -1,5 +1,7 @@
 #include "core/reference/reference_tracer.h"
 
+#include "core/scene/hierarchy.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -47,19 +49,20 @@ std::optional<double> enter(const DBounds& box, const Ray& ray, const glm::dvec3
 } // namespace
 
 Tracer::Tracer(const Scene& scene) {
-    for (std::uint32_t i = 0; i < scene.objects.size(); ++i)
-        addObject(scene.objects[i], i);
+    const Hierarchy hierarchy(scene);
+    for (std::uint32_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        firstTriangle_.push_back(static_cast<std::uint32_t>(triangles_.size()));
+        if (object.mesh && hierarchy.isShown(object))
+            addObject(object, hierarchy.worldMatrix(object), i);
+    }
     buildTree();
 }
 
-void Tracer::addObject(const Object& object, std::uint32_t index) {
-    firstTriangle_.push_back(static_cast<std::uint32_t>(triangles_.size()));
-    if (!object.visible || !object.mesh)
-        return;
-    const glm::dmat4 matrix = object.transform.matrix();
+void Tracer::addObject(const Object& object, const glm::dmat4& toWorld, std::uint32_t index) {
     const Mesh& mesh = *object.mesh;
     const auto corner = [&](std::uint32_t vertex) {
-        return glm::dvec3(matrix * glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1.0));
+        return glm::dvec3(toWorld * glm::dvec4(glm::dvec3(mesh.positions[vertex]), 1.0));
     };
     for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
         const glm::uvec3 t = mesh.triangles[i];

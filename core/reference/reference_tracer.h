@@ -49,7 +49,7 @@ class Tracer {
     };
 
     static std::optional<Hit> intersect(const Ray& ray, const Triangle& triangle);
-    void addObject(const Object& object, std::uint32_t index);
+    void addObject(const Object& object, const glm::dmat4& toWorld, std::uint32_t index);
     void buildTree();
 
     /// Calls `visit(triangle)` for the triangles whose boxes the ray meets before `limit`, which it may

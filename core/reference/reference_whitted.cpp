@@ -2,6 +2,7 @@
 
 #include "core/reference/reference_bsdf.h"
 #include "core/reference/reference_light.h"
+#include "core/scene/hierarchy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +77,10 @@ struct Whitted::Progress {
 };
 
 Whitted::Whitted(const Scene& scene)
-    : scene_(scene), tracer_(scene), ambient_(meanBackground(scene.background)) {}
+    : scene_(scene),
+      lights_(lightsInWorld(scene)),
+      tracer_(scene),
+      ambient_(meanBackground(scene.background)) {}
 
 Radiance Whitted::trace(const Ray& ray, double spread) const {
     Progress progress;
@@ -91,7 +95,7 @@ Radiance Whitted::trace(const Ray& ray, double spread) const {
 void Whitted::follow(const Branch& branch, Progress& progress) const {
     ++progress.sum.rays;
     const auto hit = tracer_.closestHit(branch.ray);
-    if (const auto light = nearestLight(scene_, branch.ray, hit ? hit->t : 1e300, branch.level == 0)) {
+    if (const auto light = nearestLight(lights_, branch.ray, hit ? hit->t : 1e300, branch.level == 0)) {
         progress.sum.value += branch.weight * branch.medium.pass(light->t) * light->radiance;
         return;
     }
@@ -151,7 +155,7 @@ glm::dvec3 Whitted::directLight(const Surface& s, const glm::dvec3& toEye) const
     glm::dvec3 sum(0.0);
     if (s.coverage == 0.0 || (isMirror(s) && diffuseShare(s) == 0.0))
         return sum;
-    for (const Light& light : scene_.lights) {
+    for (const Light& light : lights_) {
         const auto arriving = lightAt(light, s.position);
         if (!arriving || glm::dot(arriving->direction, s.geometricNormal) <= 0.0)
             continue;

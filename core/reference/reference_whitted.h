@@ -45,6 +45,7 @@ class Whitted {
     glm::dvec3 visibility(const Surface& from, const glm::dvec3& direction, double distance) const;
 
     Scene scene_;
+    std::vector<Light> lights_; ///< In world space.
     Tracer tracer_;
     glm::dvec3 ambient_;
 };

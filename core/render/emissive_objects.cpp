@@ -40,7 +40,7 @@ class Collector {
         : anchor_(anchor), meanOf_(meanOf) {}
 
     void add(const EmissiveObject& object, std::uint32_t index) {
-        glm::dmat4 toAnchor = object.transform.matrix();
+        glm::dmat4 toAnchor = object.toWorld;
         toAnchor[3] -= glm::dvec4(anchor_, 0.0);
         const double determinant = glm::determinant(glm::dmat3(toAnchor));
         if (!std::isfinite(determinant) || determinant == 0.0)
@@ -105,10 +105,11 @@ std::vector<EmissiveObject> emissiveObjects(const Scene& scene) {
     const auto shining = shiningMaterials(scene);
     if (shining.empty())
         return found;
+    const Hierarchy hierarchy(scene);
     for (const Object& object : scene.objects) {
-        if (!isDrawn(object))
+        if (!isDrawn(hierarchy, object))
             continue;
-        EmissiveObject emissive{object.id, object.mesh, object.transform, isPosed(object), {}};
+        EmissiveObject emissive{object.id, object.mesh, hierarchy.worldMatrix(object), isPosed(object), {}};
         emissive.slots.resize(std::min(object.materials.size(), object.mesh->slots.size()));
         bool shines = false;
         for (std::size_t i = 0; i < emissive.slots.size(); ++i)

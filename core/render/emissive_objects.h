@@ -23,7 +23,7 @@ struct EmissiveObject {
 
     Id id = noId;
     MeshPtr mesh;
-    Transform transform;
+    glm::dmat4 toWorld{1.0};
     bool posed = false; ///< Its vertices are where the device's kernels put them.
     std::vector<Slot> slots;
 

@@ -37,9 +37,9 @@ Bounds conservativeBox(const Bounds& box, const glm::dmat4& toAnchor) {
 
 } // namespace
 
-void InstanceStore::append(const Object& object, const ObjectPlace& place, const MaterialStore& materials,
-                           const glm::dvec3& anchor) {
-    glm::dmat4 toAnchor = object.transform.matrix();
+void InstanceStore::append(const Object& object, const glm::dmat4& toWorld, const ObjectPlace& place,
+                           const MaterialStore& materials, const glm::dvec3& anchor) {
+    glm::dmat4 toAnchor = toWorld;
     toAnchor[3] -= glm::dvec4(anchor, 0.0);
     const double determinant = glm::determinant(glm::dmat3(toAnchor));
     if (!std::isfinite(determinant) || determinant == 0.0)
@@ -84,9 +84,10 @@ Result<void> InstanceStore::update(Context& context, const Scene& scene, const G
     boxes_.clear();
     objects_.clear();
     triangleCount_ = 0;
+    const Hierarchy hierarchy(scene);
     for (const Object& object : scene.objects)
-        if (const ObjectPlace place = geometry.placeOf(object.id); isDrawn(object) && place.mesh)
-            append(object, place, materials, anchor);
+        if (const ObjectPlace place = geometry.placeOf(object.id); isDrawn(hierarchy, object) && place.mesh)
+            append(object, hierarchy.worldMatrix(object), place, materials, anchor);
     Bounds all;
     for (const Bounds& box : boxes_)
         all.add(box);

@@ -27,8 +27,8 @@ class InstanceStore {
     cl_mem topNodes() const;
 
   private:
-    void append(const Object& object, const ObjectPlace& place, const MaterialStore& materials,
-                const glm::dvec3& anchor);
+    void append(const Object& object, const glm::dmat4& toWorld, const ObjectPlace& place,
+                const MaterialStore& materials, const glm::dvec3& anchor);
     Result<void> buildTop(Context& context);
 
     const TreeLayout layout_;

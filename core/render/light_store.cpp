@@ -2,6 +2,7 @@
 
 #include "core/render/environment_table.h"
 #include "core/render/light_tree.h"
+#include "core/scene/hierarchy.h"
 #include "core/scene/srgb.h"
 
 #include <glm/gtc/quaternion.hpp>
@@ -154,7 +155,7 @@ double textureMean(const Image& image) {
 
 Result<void> LightStore::updateLights(Context& context, const Scene& scene, const glm::dvec3& anchor) {
     table_.clear();
-    for (const Light& light : scene.lights)
+    for (const Light& light : lightsInWorld(scene))
         if (shines(light, anchor))
             table_.push_back(deviceLight(light, anchor));
     return lights_.assign(context, table_, "lights");

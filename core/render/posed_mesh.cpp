@@ -11,7 +11,7 @@ namespace prizma {
 
 Result<PosedMesh> computePosedMesh(Renderer& renderer, const Scene& scene, Id object) {
     const Object* posed = scene.findObject(object);
-    if (!posed || !isDrawn(*posed))
+    if (!posed || !isDrawn(Hierarchy(scene), *posed))
         return failure("There is no visible object with a mesh to pose.");
     renderer.waitForTrees(scene);
     const Scene drawn = renderer.drawable(scene);

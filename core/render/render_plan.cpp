@@ -43,27 +43,30 @@ class PlanBuilder {
 };
 
 std::vector<Id> drawnIds(const Scene& scene) {
+    const Hierarchy hierarchy(scene);
     std::vector<Id> ids;
     for (const Object& object : scene.objects)
-        if (isDrawn(object))
+        if (isDrawn(hierarchy, object))
             ids.push_back(object.id);
     return ids;
 }
 
 void planGeometry(const DeviceState& held, const Scene& next, const SceneDiff& changes, PlanBuilder& plan) {
     std::set<Id> changed(changes.meshesChanged.begin(), changes.meshesChanged.end());
+    const Hierarchy hierarchy(next);
     std::vector<Id> missing;
     for (const Object& object : next.objects)
-        if (isDrawn(object) && (!held.resident.contains(object.id) || changed.contains(object.id)))
+        if (isDrawn(hierarchy, object) && (!held.resident.contains(object.id) || changed.contains(object.id)))
             missing.push_back(object.id);
     if (!missing.empty())
         plan.need(Stage::Geometry, "model added", missing);
 }
 
 void planPoses(const DeviceState& held, const Scene& next, const SceneDiff& changes, PlanBuilder& plan) {
+    const Hierarchy hierarchy(next);
     std::vector<Id> moving;
     for (const Object& object : next.objects) {
-        if (!isDrawn(object) || !isPosed(object))
+        if (!isDrawn(hierarchy, object) || !isPosed(object))
             continue;
         const auto pose = held.poses.find(object.id);
         const bool fresh =
@@ -82,9 +85,10 @@ void planPoses(const DeviceState& held, const Scene& next, const SceneDiff& chan
 
 /// A better tree shows the same picture, so that nothing restarts.
 void planNewTrees(const DeviceState& held, const Scene& next, PlanBuilder& plan) {
+    const Hierarchy hierarchy(next);
     std::vector<Id> objects;
     for (const Object& object : next.objects)
-        if (held.newTrees.contains(object.id) && isDrawn(object) && isPosed(object))
+        if (held.newTrees.contains(object.id) && isDrawn(hierarchy, object) && isPosed(object))
             objects.push_back(object.id);
     if (objects.empty())
         return;
@@ -94,10 +98,11 @@ void planNewTrees(const DeviceState& held, const Scene& next, PlanBuilder& plan)
 }
 
 void planTopLevel(const Scene& before, const Scene& next, const SceneDiff& changes, PlanBuilder& plan) {
+    const Hierarchy hierarchy(next);
     const auto touchesDrawn = [&](const std::vector<Id>& ids) {
         return std::any_of(ids.begin(), ids.end(), [&](Id id) {
             const Object* object = next.findObject(id);
-            return object && isDrawn(*object);
+            return object && isDrawn(hierarchy, *object);
         });
     };
     const auto need = [&](const char* why) {
@@ -141,7 +146,8 @@ void planTables(const SceneDiff& changes, PlanBuilder& plan) {
 
 /// Emissive objects are lights.
 void planEmitters(const Scene& before, const Scene& next, PlanBuilder& plan) {
-    if (before.objects.shares(next.objects) && before.materials.shares(next.materials))
+    if (before.objects.shares(next.objects) && before.materials.shares(next.materials) &&
+        before.groups.shares(next.groups))
         return;
     if (emissiveObjects(before) != emissiveObjects(next))
         plan.need(Stage::LightTree, "emissive object changed");
@@ -202,8 +208,12 @@ const PlannedStage* RenderPlan::find(Stage stage) const {
     return found == stages.end() ? nullptr : &*found;
 }
 
-bool isDrawn(const Object& object) {
-    return object.visible && object.mesh;
+bool isDrawn(const Hierarchy& hierarchy, const Object& object) {
+    return object.mesh && hierarchy.isShown(object);
+}
+
+bool drawsAnything(const Scene& scene) {
+    return !drawnIds(scene).empty();
 }
 
 glm::dvec3 chooseAnchor(const std::optional<glm::dvec3>& present, const Camera& camera) {

@@ -2,6 +2,7 @@
 
 #include "core/animation/pose_key.h"
 #include "core/scene/diff.h"
+#include "core/scene/hierarchy.h"
 #include "core/scene/scene.h"
 
 #include <map>
@@ -69,8 +70,9 @@ struct RenderPlan {
 /// A pure function. Objects without a mesh (still loading, still building) are not drawn.
 RenderPlan makePlan(const DeviceState& held, const Scene& next, int width, int height);
 
-/// Whether an object takes part in the picture.
-bool isDrawn(const Object& object);
+/// Whether an object takes part in the picture; `hierarchy` is its scene's.
+bool isDrawn(const Hierarchy& hierarchy, const Object& object);
+bool drawsAnything(const Scene& scene);
 
 /// Device coordinates are floats relative to an anchor near the camera. The anchor stays while the camera
 /// moves about its target (so that orbiting touches no buffer), and follows once it is more than four times

@@ -47,6 +47,7 @@ Result<std::unique_ptr<Renderer>> Renderer::create(RendererOptions options) {
 }
 
 Scene Renderer::drawable(Scene scene) {
+    const Hierarchy hierarchy(scene);
     std::vector<MeshPtr> wanted;
     std::vector<std::size_t> waiting;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
@@ -54,7 +55,7 @@ Scene Renderer::drawable(Scene scene) {
         if (!object.mesh)
             continue;
         wanted.push_back(object.mesh);
-        if (object.visible && !trees_.request(object.mesh))
+        if (hierarchy.isShown(object) && !trees_.request(object.mesh))
             waiting.push_back(i);
     }
     state_.newTrees = deviceScene_->newTrees(trees_, wanted);
@@ -65,8 +66,9 @@ Scene Renderer::drawable(Scene scene) {
 }
 
 void Renderer::waitForTrees(const Scene& scene) {
+    const Hierarchy hierarchy(scene);
     for (const Object& object : scene.objects)
-        if (isDrawn(object))
+        if (isDrawn(hierarchy, object))
             trees_.wait(object.mesh);
 }
 

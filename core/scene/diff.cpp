@@ -1,15 +1,20 @@
 #include "core/scene/diff.h"
 
+#include "core/scene/hierarchy.h"
+
+#include <algorithm>
 #include <unordered_map>
 
 namespace prizma {
 namespace {
 
+bool hasMoved(const Object& a, const Hierarchy& before, const Object& b, const Hierarchy& after) {
+    if (a.parent == noId && b.parent == noId)
+        return a.transform != b.transform;
+    return before.worldMatrix(a) != after.worldMatrix(b);
+}
+
 void diffObject(const Object& before, const Object& after, SceneDiff& changes) {
-    if (before.transform != after.transform)
-        changes.objectsMoved.push_back(after.id);
-    if (before.visible != after.visible)
-        changes.objectsShown.push_back(after.id);
     if (before.mesh != after.mesh || before.dynamic != after.dynamic)
         changes.meshesChanged.push_back(after.id);
     if (before.materials != after.materials)
@@ -19,9 +24,13 @@ void diffObject(const Object& before, const Object& after, SceneDiff& changes) {
         changes.clipsChanged.push_back(after.id);
 }
 
-void diffObjects(const CowList<Object>& before, const CowList<Object>& after, SceneDiff& changes) {
-    if (before.shares(after))
+void diffObjects(const Scene& sceneBefore, const Scene& sceneAfter, SceneDiff& changes) {
+    const CowList<Object>& before = sceneBefore.objects;
+    const CowList<Object>& after = sceneAfter.objects;
+    if (before.shares(after) && sceneBefore.groups.shares(sceneAfter.groups))
         return;
+    const Hierarchy hierarchyBefore(sceneBefore);
+    const Hierarchy hierarchyAfter(sceneAfter);
     std::unordered_map<Id, const Object*> old;
     for (const Object& object : before)
         old.emplace(object.id, &object);
@@ -31,6 +40,10 @@ void diffObjects(const CowList<Object>& before, const CowList<Object>& after, Sc
             changes.objectsAdded.push_back(object.id);
             continue;
         }
+        if (hasMoved(*found->second, hierarchyBefore, object, hierarchyAfter))
+            changes.objectsMoved.push_back(object.id);
+        if (hierarchyBefore.isShown(*found->second) != hierarchyAfter.isShown(object))
+            changes.objectsShown.push_back(object.id);
         diffObject(*found->second, object, changes);
         old.erase(found);
     }
@@ -56,6 +69,15 @@ bool differs(const CowList<T>& before, const CowList<T>& after) {
         if (differs(before[i], after[i]))
             return true;
     return false;
+}
+
+/// Whether any light shines otherwise, be it for itself, for its group or for another one's solo.
+bool lightsDiffer(const Scene& before, const Scene& after) {
+    if (before.lights.shares(after.lights) && before.groups.shares(after.groups))
+        return false;
+    const std::vector<Light> a = lightsInWorld(before);
+    const std::vector<Light> b = lightsInWorld(after);
+    return !std::ranges::equal(a, b, [](const Light& x, const Light& y) { return !differs(x, y); });
 }
 
 bool texturesDiffer(const CowList<Material>& before, const CowList<Material>& after) {
@@ -93,8 +115,8 @@ bool SceneDiff::isTimeOnly() const {
 
 SceneDiff diff(const Scene& before, const Scene& after) {
     SceneDiff changes;
-    diffObjects(before.objects, after.objects, changes);
-    changes.lights = differs(before.lights, after.lights);
+    diffObjects(before, after, changes);
+    changes.lights = lightsDiffer(before, after);
     changes.materials = differs(before.materials, after.materials);
     changes.textures = texturesDiffer(before.materials, after.materials) ||
                        before.background.image != after.background.image;

@@ -10,8 +10,8 @@ namespace prizma {
 struct SceneDiff {
     std::vector<Id> objectsAdded;
     std::vector<Id> objectsRemoved;
-    std::vector<Id> objectsMoved;      ///< Transform.
-    std::vector<Id> objectsShown;      ///< Visibility changed either way.
+    std::vector<Id> objectsMoved;      ///< In the world: themselves, or a group above them.
+    std::vector<Id> objectsShown;      ///< Shown or hidden, themselves or by a group.
     std::vector<Id> meshesChanged;     ///< Another mesh, or Static/Dynamic changed.
     std::vector<Id> materialsAssigned; ///< The object's list of materials changed.
     std::vector<Id> clipsChanged;      ///< Another clip, played otherwise, or morph weights.

@@ -1,6 +1,7 @@
 #include "core/scene/edits.h"
 
 #include "core/animation/posed_bounds.h"
+#include "core/scene/group_edits.h"
 #include "core/scene/primitives.h"
 #include "core/scene/property_tables.h"
 
@@ -45,16 +46,23 @@ void removeMaterial(Scene& scene, Id id) {
         std::replace(object.materials.begin(), object.materials.end(), id, replacement);
 }
 
+/// A step along the world's X in the space of a group; none if the group has no size.
+glm::dvec3 stepIn(const Scene& scene, Id group, double length) {
+    const glm::dmat4 toGroup = glm::inverse(Hierarchy(scene).toWorld(group));
+    const glm::dvec3 step(toGroup * glm::dvec4(length, 0.0, 0.0, 0.0));
+    return std::isfinite(glm::dot(step, step)) ? step : glm::dvec3(0.0);
+}
+
 Id duplicateObject(Scene& scene, Object copy) {
     // In its original's place a copy would go unseen.
-    copy.transform.translation.x += worldBounds(copy, scene.timeline.seconds()).extent().x * 1.1;
+    copy.transform.translation += stepIn(scene, copy.parent, worldBounds(scene, copy).extent().x * 1.1);
     return addObject(scene, std::move(copy));
 }
 
 Id duplicateLight(Scene& scene, Light copy) {
     const double step = glm::distance(scene.camera.position, scene.camera.target) * 0.1;
     if (copy.type != LightType::Directional)
-        copy.position.x += step;
+        copy.position += stepIn(scene, copy.parent, step);
     return addLight(scene, std::move(copy));
 }
 
@@ -72,6 +80,8 @@ EntityRef duplicate(Scene& scene, EntityRef entity) {
         if (const Material* material = scene.findMaterial(entity.id))
             return {entity.kind, addMaterial(scene, *material)};
         break;
+    case EntityKind::Group:
+        return {entity.kind, duplicateGroup(scene, entity.id)};
     default:
         break;
     }
@@ -118,11 +128,13 @@ std::string keyOf(Enum value) {
 
 int removeEntities(Scene& scene, std::span<const EntityRef> entities) {
     int removed = 0;
-    for (const EntityRef& entity : entities) {
+    for (const EntityRef& entity : withMembers(scene, entities)) {
         if (entity.kind == EntityKind::Object) {
             removed += removeById(scene.objects, entity.id) ? 1 : 0;
         } else if (entity.kind == EntityKind::Light) {
             removed += removeById(scene.lights, entity.id) ? 1 : 0;
+        } else if (entity.kind == EntityKind::Group) {
+            removed += removeById(scene.groups, entity.id) ? 1 : 0;
         } else if (entity.kind == EntityKind::Material && scene.findMaterial(entity.id)) {
             removeMaterial(scene, entity.id);
             ++removed;
@@ -132,10 +144,12 @@ int removeEntities(Scene& scene, std::span<const EntityRef> entities) {
 }
 
 std::vector<EntityRef> duplicateEntities(Scene& scene, std::span<const EntityRef> entities) {
+    const auto carried = topmost(scene, entities);
     std::vector<EntityRef> copies;
     for (const EntityRef& entity : entities)
-        if (const EntityRef copy = duplicate(scene, entity); copy.id != noId)
-            copies.push_back(copy);
+        if (entity.kind == EntityKind::Material || std::ranges::count(carried, entity) > 0)
+            if (const EntityRef copy = duplicate(scene, entity); copy.id != noId)
+                copies.push_back(copy);
     return copies;
 }
 
@@ -150,6 +164,8 @@ Result<void> renameEntity(Scene& scene, EntityRef entity, const std::string& nam
         return rename(scene.lights, entity.id, wanted);
     case EntityKind::Material:
         return rename(scene.materials, entity.id, wanted);
+    case EntityKind::Group:
+        return rename(scene.groups, entity.id, wanted);
     default:
         return failure("it cannot be renamed");
     }

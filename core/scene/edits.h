@@ -12,15 +12,16 @@ namespace prizma {
 /// Edits of a whole scene that need more than setting one property. Ids that the scene does not have are
 /// passed over.
 
-/// Removes objects, lights and materials; whatever else is in `entities` stays. Objects that used a removed
+/// Removes objects, lights, materials and groups with all that is in them; whatever else is in `entities`
+/// stays. Objects that used a removed
 /// material get the material "default", which is made if need be. Gives the number of things removed.
 int removeEntities(Scene& scene, std::span<const EntityRef> entities);
 
-/// Copies objects (beside the original), lights and materials; gives the copies in the order of the
-/// originals.
+/// Copies objects (beside the original), lights, materials, and groups with all that is in them; gives the
+/// copies in the order of the originals. What is in a group that is copied too is not copied once more.
 std::vector<EntityRef> duplicateEntities(Scene& scene, std::span<const EntityRef> entities);
 
-/// Gives an object, light or material a name that is unique among its kind: "bunny" becomes "bunny 2" if
+/// Gives an object, light, material or group a name that is unique among its kind: "bunny" becomes "bunny 2" if
 /// another one is called so. Errors: nothing but spaces, or a thing that has no name.
 Result<void> renameEntity(Scene& scene, EntityRef entity, const std::string& name);
 

@@ -4,6 +4,7 @@
 #include "core/scene/id.h"
 #include "core/scene/mesh.h"
 #include "core/scene/playback.h"
+#include "core/scene/shader.h"
 #include "core/scene/transform.h"
 
 #include <map>
@@ -53,11 +54,14 @@ struct Object {
     Playback playback;
     std::map<std::string, double> morphWeights; ///< By the morph target's name; those left out are 0.
 
+    Id vertexShader = noId;    ///< A shader of the project's own that moves its vertices.
+    ShaderValues shaderValues; ///< Of the vertex shader's parameters.
+
     friend bool operator==(const Object&, const Object&) = default;
 };
 
-/// The box of the object's mesh in world space as it was modelled (core/animation/posed_bounds.h has the one
-/// of its pose); empty without a mesh.
+/// The box of the object's mesh as it was modelled, in the space of its group (core/animation/posed_bounds.h
+/// has the one of its pose in world space); empty without a mesh.
 DBounds bindPoseBounds(const Object& object);
 
 /// `box` after `toWorld`, as the box of its eight corners; empty if it is empty.

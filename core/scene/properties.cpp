@@ -1,6 +1,7 @@
 #include "core/scene/properties.h"
 
 #include "core/animation/pose_key.h"
+#include "core/scene/hierarchy.h"
 #include "core/scene/property_tables.h"
 
 #include <algorithm>
@@ -127,6 +128,8 @@ bool visitEntity(const Scene& scene, EntityRef entity, Visitor&& visitor) {
         return visitPointer(scene.findLight(entity.id));
     case EntityKind::Material:
         return visitPointer(scene.findMaterial(entity.id));
+    case EntityKind::Group:
+        return visitPointer(findGroup(scene, entity.id));
     case EntityKind::Camera:
         return visitPointer(&scene.camera);
     case EntityKind::Background:
@@ -154,6 +157,9 @@ Light& editable(Scene& scene, const Light& item) {
 }
 Material& editable(Scene& scene, const Material& item) {
     return editable(scene.materials, item.id);
+}
+Group& editable(Scene& scene, const Group& item) {
+    return editable(scene.groups, item.id);
 }
 Camera& editable(Scene& scene, const Camera&) {
     return scene.camera;
@@ -259,14 +265,16 @@ std::optional<EntityRef> parseEntity(const Scene& scene, std::string_view path) 
     const auto dot = path.find('.');
     if (dot == std::string_view::npos)
         return std::nullopt;
-    const auto group = path.substr(0, dot);
+    const auto list = path.substr(0, dot);
     const auto name = path.substr(dot + 1);
-    if (group == "objects")
+    if (list == "objects")
         return findNamed(scene.objects, EntityKind::Object, name);
-    if (group == "lights")
+    if (list == "lights")
         return findNamed(scene.lights, EntityKind::Light, name);
-    if (group == "materials")
+    if (list == "materials")
         return findNamed(scene.materials, EntityKind::Material, name);
+    if (list == "groups")
+        return findNamed(scene.groups, EntityKind::Group, name);
     return std::nullopt;
 }
 

@@ -34,8 +34,8 @@ struct Choice {
     std::string_view label;
 };
 
-/// The one description of a property of `Owner` (Object, Light, Material, Camera, Background, Timeline,
-/// RenderSettings). Panels, undo commands, the project file and the command line's --set are driven by it.
+/// The one description of a property of `Owner` (Object, Light, Material, Group, Camera, Background,
+/// Timeline, RenderSettings). Panels, undo commands, the project file and the command line's --set are driven by it.
 template <class Owner>
 struct Property {
     std::string_view key;   ///< In project files and --set, e.g. "roughness".
@@ -56,9 +56,9 @@ struct Property {
 template <class Owner>
 std::span<const Property<Owner>> propertiesOf();
 
-enum class EntityKind { Object, Light, Material, Camera, Background, Timeline, Render };
+enum class EntityKind { Object, Light, Material, Group, Camera, Background, Timeline, Render };
 
-/// Names one thing in a scene that has properties; `id` counts for objects, lights and materials only.
+/// Names one thing in a scene that has properties; `id` counts for objects, lights, materials and groups only.
 struct EntityRef {
     EntityKind kind = EntityKind::Camera;
     Id id = noId;
@@ -93,7 +93,7 @@ Result<void> setProperty(Scene& scene, EntityRef entity, std::string_view key, c
 /// as projects may name clips that could not be loaded; --set and panels offer what there is.
 bool namesClip(std::string_view key);
 
-/// The name of an object, light or material; "Camera", "Background", ... for the rest.
+/// The name of an object, light, material or group; "Camera", "Background", ... for the rest.
 std::string displayName(const Scene& scene, EntityRef entity);
 
 /// Carries out "lights.key.intensity=80", "camera.fovY=30", "materials.floor.baseColor=0.8,0.8,0.8":

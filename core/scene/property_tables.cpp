@@ -67,10 +67,10 @@ Property<Owner> property(Texts texts, PropertyKind kind, Range range = {}, Appli
             {}};
 }
 
-/// A property stored in `part` of an object's `whole` (its transform, its playback).
-template <auto whole, auto part>
-Property<Object> partProperty(Texts texts, PropertyKind kind, Range range = {},
-                              Applies<Object> applies = nullptr) {
+/// A property stored in `part` of its owner's `whole` (its transform, its playback).
+template <auto whole, auto part, class Owner = typename MemberTraits<decltype(whole)>::OwnerType>
+Property<Owner> partProperty(Texts texts, PropertyKind kind, Range range = {},
+                             Applies<Owner> applies = nullptr) {
     using Part = typename MemberTraits<decltype(part)>::OwnerType;
     Property<Part> inner = property<part, Part>(texts, kind, range);
     return {inner.key,
@@ -82,15 +82,10 @@ Property<Object> partProperty(Texts texts, PropertyKind kind, Range range = {},
             inner.maximum,
             inner.step,
             inner.choices,
-            [](const Object& object) { return Access<part>::get(object.*whole); },
-            [](Object& object, const PropertyValue& value) { Access<part>::set(object.*whole, value); },
+            [](const Owner& owner) { return Access<part>::get(owner.*whole); },
+            [](Owner& owner, const PropertyValue& value) { Access<part>::set(owner.*whole, value); },
             applies,
             {}};
-}
-
-template <auto part>
-Property<Object> transformProperty(Texts texts, PropertyKind kind, Range range = {}) {
-    return partProperty<&Object::transform, part>(texts, kind, range);
 }
 
 template <auto part>
@@ -226,12 +221,23 @@ std::span<const Property<Object>> propertiesOf() {
             {"dynamic", "Dynamic",
              "Its vertices move: they are shaded and its tree is refitted when it changes."},
             PropertyKind::Boolean),
-        transformProperty<&Transform::translation>(
-            {"translation", "Position", "Where the object's origin is."}, PropertyKind::Vector3),
-        transformProperty<&Transform::rotation>({"rotation", "Rotation", "Turns about X, then Y, then Z."},
-                                                PropertyKind::Rotation, {"°", -360.0, 360.0, 5.0}),
-        transformProperty<&Transform::scale>(
+        partProperty<&Object::transform, &Transform::translation>(
+            {"translation", "Position", "Where the object's origin is, in its group's space."},
+            PropertyKind::Vector3),
+        partProperty<&Object::transform, &Transform::rotation>(
+            {"rotation", "Rotation", "Turns about X, then Y, then Z."}, PropertyKind::Rotation,
+            {"°", -360.0, 360.0, 5.0}),
+        partProperty<&Object::transform, &Transform::scale>(
             {"scale", "Scale", "Size along each axis; 1 is the model's own."}, PropertyKind::Vector3),
+        property<&Object::seenByCamera>(
+            {"seenByCamera", "Seen by camera", "Otherwise one sees it only in mirrors and by its shadow."},
+            PropertyKind::Boolean),
+        property<&Object::seenInReflections>(
+            {"seenInReflections", "Seen in reflections",
+             "Light that was reflected or refracted meets it; otherwise mirrors do not show it."},
+            PropertyKind::Boolean),
+        property<&Object::castsShadows>({"castsShadows", "Casts shadows", "It stops the light of lights."},
+                                        PropertyKind::Boolean),
         property<&Object::clip>({"clip", "Clip", "The animation that plays; empty for the bind pose."},
                                 PropertyKind::Text, {}, hasClips),
         playbackProperty<&Playback::offset>(
@@ -255,8 +261,8 @@ std::span<const Property<Object>> propertiesOf() {
             {"fadeFrom", "Fade from", "The clip that plays before; empty for the bind pose."},
             PropertyKind::Text, {}, fades),
     };
-    static const auto inSections =
-        sectioned(properties, {{"translation", "Placement"}, {"clip", "Animation"}});
+    static const auto inSections = sectioned(
+        properties, {{"translation", "Placement"}, {"seenByCamera", "Rays"}, {"clip", "Animation"}});
     return inSections;
 }
 
@@ -268,6 +274,8 @@ std::span<const Property<Light>> propertiesOf() {
                                PropertyKind::Text),
         property<&Light::enabled>({"enabled", "On", "A light that is off costs nothing."},
                                   PropertyKind::Boolean),
+        property<&Light::solo>({"solo", "Solo", "While any light is solo, only those that are shine."},
+                               PropertyKind::Boolean),
         property<&Light::visible>(
             {"visible", "Visible", "The camera sees the light itself, not only what it lights."},
             PropertyKind::Boolean, {}, isType<Rectangle, Sphere>),
@@ -376,6 +384,26 @@ std::span<const Property<Material>> propertiesOf() {
                                                           {"transmission", "Glass"},
                                                           {"emission", "Light"},
                                                           {"normalTexture", "Relief"}});
+    return inSections;
+}
+
+template <>
+std::span<const Property<Group>> propertiesOf() {
+    static const std::array properties{
+        property<&Group::name>({"name", "Name", "What the group is called in the scene tree."},
+                               PropertyKind::Text),
+        property<&Group::visible>({"visible", "Visible", "A hidden group hides all that is in it."},
+                                  PropertyKind::Boolean),
+        partProperty<&Group::transform, &Transform::translation>(
+            {"translation", "Position", "Where the group's origin is; its members move with it."},
+            PropertyKind::Vector3),
+        partProperty<&Group::transform, &Transform::rotation>(
+            {"rotation", "Rotation", "Turns about X, then Y, then Z."}, PropertyKind::Rotation,
+            {"°", -360.0, 360.0, 5.0}),
+        partProperty<&Group::transform, &Transform::scale>(
+            {"scale", "Scale", "Size along each axis; its members grow with it."}, PropertyKind::Vector3),
+    };
+    static const auto inSections = sectioned(properties, {{"translation", "Placement"}});
     return inSections;
 }
 

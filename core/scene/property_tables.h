@@ -11,6 +11,8 @@ std::span<const Property<Light>> propertiesOf();
 template <>
 std::span<const Property<Material>> propertiesOf();
 template <>
+std::span<const Property<Group>> propertiesOf();
+template <>
 std::span<const Property<Camera>> propertiesOf();
 template <>
 std::span<const Property<Background>> propertiesOf();

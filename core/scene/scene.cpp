@@ -44,6 +44,10 @@ const Material* Scene::findMaterial(Id id) const {
     return findById(materials, id);
 }
 
+const Shader* Scene::findShader(Id id) const {
+    return findById(shaders, id);
+}
+
 const Material* Scene::findMaterial(const std::string& name) const {
     const auto found =
         std::find_if(materials.begin(), materials.end(), [&](const Material& m) { return m.name == name; });
@@ -58,6 +62,9 @@ Id addLight(Scene& scene, Light item) {
 }
 Id addMaterial(Scene& scene, Material item) {
     return addItem(scene, scene.materials, std::move(item));
+}
+Id addShader(Scene& scene, Shader item) {
+    return addItem(scene, scene.shaders, std::move(item));
 }
 
 template <class T>
@@ -83,6 +90,8 @@ std::string uniqueName(const CowList<T>& list, const std::string& wanted) {
 template std::string uniqueName(const CowList<Object>&, const std::string&);
 template std::string uniqueName(const CowList<Light>&, const std::string&);
 template std::string uniqueName(const CowList<Material>&, const std::string&);
+template std::string uniqueName(const CowList<Shader>&, const std::string&);
+template std::string uniqueName(const CowList<Group>&, const std::string&);
 
 Camera frameBounds(Camera camera, const DBounds& bounds, double aspect) {
     if (bounds.isEmpty())

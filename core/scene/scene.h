@@ -6,6 +6,7 @@
 #include "core/scene/light.h"
 #include "core/scene/material.h"
 #include "core/scene/object.h"
+#include "core/scene/shader.h"
 
 #include <optional>
 #include <string>
@@ -54,6 +55,8 @@ struct Region {
 
 struct RenderSettings {
     ShaderType shader = ShaderType::Whitted;
+    Id customShader = noId;          ///< A shader of the project's own that takes the place of `shader`.
+    ShaderValues shaderValues;       ///< Of the custom shader's parameters.
     int maxDepth = 6;                ///< Bounces; 0 is direct light only. Whitted follows 6 at most.
     bool transparentShadows = false; ///< Whitted: light goes straight through glass instead of being stopped.
     double fireflyClamp = 0.0; ///< Path: brightest radiance that one indirect sample may add; 0: no limit.
@@ -85,6 +88,7 @@ struct Scene {
     CowList<Material> materials;
     CowList<Group> groups;
     CowList<CameraBookmark> bookmarks;
+    CowList<Shader> shaders;
     Camera camera;
     Background background;
     Timeline timeline;
@@ -98,6 +102,7 @@ struct Scene {
     const Light* findLight(Id id) const;
     const Material* findMaterial(Id id) const;
     const Material* findMaterial(const std::string& name) const;
+    const Shader* findShader(Id id) const;
 
     friend bool operator==(const Scene&, const Scene&) = default;
 };
@@ -106,6 +111,7 @@ struct Scene {
 Id addObject(Scene& scene, Object item);
 Id addLight(Scene& scene, Light item);
 Id addMaterial(Scene& scene, Material item);
+Id addShader(Scene& scene, Shader item);
 
 /// `wanted`, or "wanted 2", "wanted 3", ... whichever no item of `list` has.
 template <class T>

@@ -71,6 +71,7 @@ void TestTranslations::propertiesAreTranslated() {
     checkProperties<Object>();
     checkProperties<Light>();
     checkProperties<Material>();
+    checkProperties<Group>();
     checkProperties<Camera>();
     checkProperties<Background>();
     checkProperties<Timeline>();

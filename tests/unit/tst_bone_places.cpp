@@ -23,6 +23,10 @@ bool isNear(const glm::dvec3& a, const glm::dvec3& b) {
     return glm::length(a - b) < 1e-5;
 }
 
+std::vector<BonePlace> placesOf(const Object& object, double seconds) {
+    return bonePlaces(object, object.transform.matrix(), seconds);
+}
+
 } // namespace
 
 class TestBonePlaces : public QObject {
@@ -38,7 +42,7 @@ class TestBonePlaces : public QObject {
 void TestBonePlaces::bindPoseIsWhereTheBonesAre() {
     Object object = placedObject();
     object.clip.clear();
-    const auto places = bonePlaces(object, 0.7);
+    const auto places = placesOf(object, 0.7);
     QCOMPARE(places.size(), std::size_t{2});
     QVERIFY(isNear(places[0].joint, object.transform.translation));
     QVERIFY(isNear(places[1].joint, object.transform.translation + glm::dvec3(0.0, 0.5, 0.0)));
@@ -52,7 +56,7 @@ void TestBonePlaces::jointsFollowTheSkin() {
     const Object object = placedObject();
     const Skeleton& skeleton = *object.mesh->skeleton;
     for (const double seconds : {0.0, 0.31, 0.5, 1.23, 17.7}) {
-        const auto places = bonePlaces(object, seconds);
+        const auto places = placesOf(object, seconds);
         const auto skinning = skinningMatrices(skeleton, evaluatePose(skeleton, poseKeyOf(object, seconds)));
         const auto moved = [&](std::size_t bone, const glm::vec3& point) {
             return glm::dvec3(object.transform.matrix() *
@@ -61,18 +65,18 @@ void TestBonePlaces::jointsFollowTheSkin() {
         QVERIFY(isNear(places[1].joint, moved(1, {0.0f, 0.25f, 0.0f})));
         QVERIFY(isNear(*places[1].tip, moved(1, {0.0f, 0.375f, 0.0f})));
     }
-    QVERIFY(!isNear(*bonePlaces(object, 0.5)[1].tip, *bonePlaces(object, 0.0)[1].tip));
+    QVERIFY(!isNear(*placesOf(object, 0.5)[1].tip, *placesOf(object, 0.0)[1].tip));
 }
 
 void TestBonePlaces::staticObjectsStandStill() {
     Object object = placedObject();
     object.dynamic = false;
-    QVERIFY(isNear(*bonePlaces(object, 0.5)[1].tip, *bonePlaces(object, 0.0)[1].tip));
+    QVERIFY(isNear(*placesOf(object, 0.5)[1].tip, *placesOf(object, 0.0)[1].tip));
 }
 
 void TestBonePlaces::nothingWithoutASkeleton() {
-    QVERIFY(bonePlaces(Object{}, 1.0).empty());
-    QVERIFY(bonePlaces(primitiveObject(PrimitiveType::Cube, 1.0, 1), 1.0).empty());
+    QVERIFY(placesOf(Object{}, 1.0).empty());
+    QVERIFY(placesOf(primitiveObject(PrimitiveType::Cube, 1.0, 1), 1.0).empty());
 }
 
 QTEST_APPLESS_MAIN(TestBonePlaces)

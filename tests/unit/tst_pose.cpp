@@ -406,11 +406,11 @@ void PoseTest::boundsFollowThePose() {
         }
         const Bounds bounds = posedBounds(*object.mesh, poseKeyOf(object, at));
         QVERIFY(glm::length(bounds.low - truth.low) < 1e-5f && glm::length(bounds.high - truth.high) < 1e-5f);
-        const DBounds world = worldBounds(object, at);
+        const DBounds world = worldBounds(object, object.transform.matrix(), at);
         const DBounds expected = transformed(bounds, object.transform.matrix());
         QVERIFY(glm::length(world.low - expected.low) < 1e-9);
     }
-    QVERIFY(worldBounds(object, 0.5) != bindPoseBounds(object));
+    QVERIFY(worldBounds(object, object.transform.matrix(), 0.5) != bindPoseBounds(object));
 }
 
 QTEST_GUILESS_MAIN(PoseTest)

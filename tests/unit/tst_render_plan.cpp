@@ -27,8 +27,9 @@ Scene makeScene() {
 DeviceState drawn(const Scene& scene) {
     DeviceState state;
     state.scene = scene;
+    const Hierarchy hierarchy(scene);
     for (const Object& object : scene.objects) {
-        if (!isDrawn(object))
+        if (!isDrawn(hierarchy, object))
             continue;
         state.resident.insert(object.id);
         if (isPosed(object))

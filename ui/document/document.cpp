@@ -1,6 +1,7 @@
 #include "ui/document/document.h"
 
 #include "core/scene/edits.h"
+#include "core/scene/hierarchy.h"
 #include "ui/document/scene_command.h"
 #include "ui/document/strings.h"
 
@@ -20,6 +21,8 @@ bool exists(const Scene& scene, EntityRef entity) {
         return scene.findLight(entity.id) != nullptr;
     case EntityKind::Material:
         return scene.findMaterial(entity.id) != nullptr;
+    case EntityKind::Group:
+        return findGroup(scene, entity.id) != nullptr;
     default:
         return true;
     }

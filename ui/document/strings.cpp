@@ -15,6 +15,8 @@ QString counted(EntityKind kind, int count) {
         return QCoreApplication::translate("prizma", "%n light(s)", nullptr, count);
     case EntityKind::Material:
         return QCoreApplication::translate("prizma", "%n material(s)", nullptr, count);
+    case EntityKind::Group:
+        return QCoreApplication::translate("prizma", "%n group(s)", nullptr, count);
     default:
         return QCoreApplication::translate("prizma", "%n thing(s)", nullptr, count);
     }
@@ -29,7 +31,7 @@ QString translated(std::string_view text) {
 QString nameOf(const Scene& scene, EntityRef entity) {
     const std::string name = displayName(scene, entity);
     const bool named = entity.kind == EntityKind::Object || entity.kind == EntityKind::Light ||
-                       entity.kind == EntityKind::Material;
+                       entity.kind == EntityKind::Material || entity.kind == EntityKind::Group;
     return named ? toQString(name) : translated(name);
 }
 

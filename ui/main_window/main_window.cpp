@@ -214,7 +214,7 @@ void MainWindow::showImported(Id object, const QString& file) {
         return;
     const double aspect = static_cast<double>(viewport_->width()) / std::max(1, viewport_->height());
     const bool isOnly = scene.objects.size() == 1;
-    if (isOnly || !isWellInView(scene.camera, worldBounds(*imported, scene.timeline.seconds()), aspect))
+    if (isOnly || !isWellInView(scene.camera, worldBounds(scene, *imported), aspect))
         viewport_->frameSelected();
 }
 

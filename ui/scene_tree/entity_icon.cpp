@@ -56,6 +56,8 @@ QIcon entityIcon(const Scene& scene, EntityRef entity) {
         const Material* material = scene.findMaterial(entity.id);
         return material ? materialIcon(material->baseColor) : icon(QStringLiteral("material"));
     }
+    case EntityKind::Group:
+        return icon(QStringLiteral("folder"));
     case EntityKind::Camera:
         return icon(QStringLiteral("camera"));
     case EntityKind::Background:

@@ -1,6 +1,7 @@
 #include "ui/viewport/selection_bounds.h"
 
 #include "core/animation/posed_bounds.h"
+#include "core/scene/group_edits.h"
 
 namespace prizma {
 namespace {
@@ -24,14 +25,15 @@ DBounds boundsOf(const Light& light) {
 } // namespace
 
 DBounds selectionBounds(const Scene& scene, std::span<const EntityRef> selection) {
+    const Hierarchy hierarchy(scene);
     DBounds bounds;
-    for (const EntityRef& entity : selection) {
+    for (const EntityRef& entity : withMembers(scene, selection)) {
         if (entity.kind == EntityKind::Object) {
             if (const Object* object = scene.findObject(entity.id))
-                bounds.add(worldBounds(*object, scene.timeline.seconds()));
+                bounds.add(worldBounds(scene, *object));
         } else if (entity.kind == EntityKind::Light) {
             if (const Light* light = scene.findLight(entity.id))
-                bounds.add(boundsOf(*light));
+                bounds.add(boundsOf(transformed(*light, hierarchy.toWorld(light->parent))));
         }
     }
     return bounds;

@@ -2,6 +2,7 @@
 
 #include "core/animation/bone_places.h"
 #include "core/scene/camera_motion.h"
+#include "core/scene/hierarchy.h"
 #include "ui/document/strings.h"
 #include "ui/main_window/theme.h"
 
@@ -26,8 +27,8 @@ constexpr QColor outlineColor{12, 14, 18, 170};
 constexpr QColor panelColor{18, 20, 24, 220};
 constexpr QColor textColor{245, 247, 250};
 
-bool hasSkeleton(const Object& object) {
-    return object.visible && object.mesh && object.mesh->skeleton;
+bool hasSkeleton(const Hierarchy& hierarchy, const Object& object) {
+    return object.mesh && object.mesh->skeleton && hierarchy.isShown(object);
 }
 
 double length(const QPointF& v) {
@@ -57,15 +58,16 @@ void SkeletonOverlay::show(const FramePtr& frame, std::span<const EntityRef> sel
     hovered_ = -1;
     if (frame) {
         const Scene& scene = frame->scene;
+        const Hierarchy hierarchy(scene);
         const auto isSelected = [&](const Object& object) {
             const EntityRef entity{EntityKind::Object, object.id};
             return std::find(selection.begin(), selection.end(), entity) != selection.end();
         };
         const bool anySelected =
             std::any_of(scene.objects.begin(), scene.objects.end(),
-                        [&](const Object& o) { return hasSkeleton(o) && isSelected(o); });
+                        [&](const Object& o) { return hasSkeleton(hierarchy, o) && isSelected(o); });
         for (const Object& object : scene.objects)
-            if (hasSkeleton(object) && (!anySelected || isSelected(object)))
+            if (hasSkeleton(hierarchy, object) && (!anySelected || isSelected(object)))
                 addSkeleton(object, scene);
     }
     hover(pointer_);
@@ -75,7 +77,7 @@ void SkeletonOverlay::show(const FramePtr& frame, std::span<const EntityRef> sel
 void SkeletonOverlay::addSkeleton(const Object& object, const Scene& scene) {
     const auto first = static_cast<int>(joints_.size());
     const auto& bones = object.mesh->skeleton->bones;
-    const auto places = bonePlaces(object, scene.timeline.seconds());
+    const auto places = bonePlaces(object, worldMatrix(scene, object), scene.timeline.seconds());
     const double halfHeight = height() * 0.5;
     const auto inView = [&](const glm::dvec3& point) -> std::optional<QPointF> {
         const auto place = placeInPicture(scene.camera, point);

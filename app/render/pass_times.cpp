@@ -5,8 +5,8 @@
 namespace prizma {
 
 nlohmann::ordered_json toJson(const PassTimes& times) {
-    return {{"generate", times.generate},     {"trace", times.trace},   {"shadow", times.shadow},
-            {"further", times.further},       {"single", times.single}, {"shade", times.shade},
+    return {{"generate", times.generate},     {"trace", times.trace},          {"shadow", times.shadow},
+            {"further", times.further},       {"single", times.single},        {"shade", times.shade},
             {"accumulate", times.accumulate}, {"estimated", times.isEstimated}};
 }
 

@@ -25,12 +25,12 @@ struct RayCounts {
 /// estimates: one packet in 61 looks at the clock, and its shares are taken for those of all. Elsewhere
 /// generate and trace are the device's own times of these kernels, and shade is all of RayShader.
 struct PassTimes {
-    double generate = 0.0;   ///< Camera rays.
-    double trace = 0.0;      ///< Their first hits.
-    double shadow = 0.0;     ///< Shadow rays.
-    double further = 0.0;    ///< Path's rays after the camera's.
-    double single = 0.0;     ///< Surfaces and lights of what is shaded pixel by pixel; Whitted's rays there, too.
-    double shade = 0.0;      ///< Surfaces, lights and materials.
+    double generate = 0.0; ///< Camera rays.
+    double trace = 0.0;    ///< Their first hits.
+    double shadow = 0.0;   ///< Shadow rays.
+    double further = 0.0;  ///< Path's rays after the camera's.
+    double single = 0.0; ///< Surfaces and lights of what is shaded pixel by pixel; Whitted's rays there, too.
+    double shade = 0.0;  ///< Surfaces, lights and materials.
     double accumulate = 0.0; ///< Adding to the picture.
     bool isEstimated = false;
 

@@ -299,8 +299,7 @@ typedef struct {
     DeviceUint shadowRays;
     DeviceUint secondaryRays;
     DeviceUint nonFinite; // pixels whose sample was not a number or infinite: counted, and left out of the sum
-    DeviceUint times[6];
-    DeviceUint padding;
+    DeviceUint times[7];
 } DeviceWork;
 
 #ifndef __OPENCL_VERSION__

@@ -94,7 +94,7 @@ kernel void rayShader(SCENE_PARAMETERS, DeviceView view, DeviceShading shading, 
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) {
-        DeviceWork counts = {total[0], total[1], total[2], {0, 0, 0, 0, 0, 0}, 0};
+        DeviceWork counts = {total[0], total[1], total[2], {0, 0, 0, 0, 0, 0, 0}};
         work[view.firstPixel / (uint)get_local_size(0) + get_group_id(0)] = counts;
     }
 }

@@ -25,11 +25,12 @@ struct RayCounts {
 /// estimates: one packet in 61 looks at the clock, and its shares are taken for those of all. Elsewhere
 /// generate and trace are the device's own times of these kernels, and shade is all of RayShader.
 struct PassTimes {
-    double generate = 0.0;   ///< Camera rays.
-    double trace = 0.0;      ///< Their first hits.
-    double shadow = 0.0;     ///< Shadow rays that travel in packets.
-    double single = 0.0;     ///< Pixels that were finished one by one, with all rays of theirs.
-    double shade = 0.0;      ///< Surfaces, lights and materials.
+    double generate = 0.0; ///< Camera rays.
+    double trace = 0.0;    ///< Their first hits.
+    double shadow = 0.0;   ///< Shadow rays.
+    double further = 0.0;  ///< Path's rays after the camera's.
+    double single = 0.0; ///< Surfaces and lights of what is shaded pixel by pixel; Whitted's rays there, too.
+    double shade = 0.0;  ///< Surfaces, lights and materials.
     double accumulate = 0.0; ///< Adding to the picture.
     bool isEstimated = false;
 
@@ -43,11 +44,11 @@ struct PassTimes {
             this->*part *= by;
     }
 
-    static const std::array<double PassTimes::*, 6> parts; ///< All of them.
+    static const std::array<double PassTimes::*, 7> parts; ///< All of them.
 };
 
-inline constexpr std::array<double PassTimes::*, 6> PassTimes::parts{
-    &PassTimes::generate, &PassTimes::trace, &PassTimes::shadow,
+inline constexpr std::array<double PassTimes::*, 7> PassTimes::parts{
+    &PassTimes::generate, &PassTimes::trace, &PassTimes::shadow,    &PassTimes::further,
     &PassTimes::single,   &PassTimes::shade, &PassTimes::accumulate};
 
 /// About the picture on the screen, for the overlay and --stats.

@@ -13,15 +13,16 @@ void WorkTotals::add(const DeviceWork& work) {
 }
 
 PassTimes WorkTotals::split(double milliseconds) const {
-    const auto& [generate, trace, shadow, single, accumulate, all] = times;
+    const auto& [generate, trace, shadow, further, single, accumulate, all] = times;
     if (all <= 0.0)
         return {.shade = milliseconds, .isEstimated = true};
     const double tick = milliseconds / all;
     return {.generate = generate * tick,
             .trace = trace * tick,
             .shadow = shadow * tick,
+            .further = further * tick,
             .single = single * tick,
-            .shade = (all - generate - trace - shadow - single - accumulate) * tick,
+            .shade = (all - generate - trace - shadow - further - single - accumulate) * tick,
             .accumulate = accumulate * tick,
             .isEstimated = true};
 }

@@ -14,19 +14,6 @@ bool hangs(EntityRef entity) {
            entity.kind == EntityKind::Group;
 }
 
-bool exists(const Scene& scene, EntityRef entity) {
-    switch (entity.kind) {
-    case EntityKind::Object:
-        return scene.findObject(entity.id) != nullptr;
-    case EntityKind::Light:
-        return scene.findLight(entity.id) != nullptr;
-    case EntityKind::Group:
-        return findGroup(scene, entity.id) != nullptr;
-    default:
-        return false;
-    }
-}
-
 template <class T>
 T& editable(CowList<T>& list, Id id) {
     return *std::ranges::find(list.edit(), id, &T::id);

@@ -337,6 +337,10 @@ bool namesClip(std::string_view key) {
     return key == "clip" || key == "fadeFrom";
 }
 
+bool exists(const Scene& scene, EntityRef entity) {
+    return visitEntity(scene, entity, [](const auto&) {});
+}
+
 std::string displayName(const Scene& scene, EntityRef entity) {
     std::string name;
     visitEntity(scene, entity, [&]<class Owner>(const Owner& owner) {

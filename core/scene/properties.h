@@ -35,7 +35,8 @@ struct Choice {
 };
 
 /// The one description of a property of `Owner` (Object, Light, Material, Group, Camera, Background,
-/// Timeline, RenderSettings). Panels, undo commands, the project file and the command line's --set are driven by it.
+/// Timeline, RenderSettings). Panels, undo commands, the project file and the command line's --set are driven
+/// by it.
 template <class Owner>
 struct Property {
     std::string_view key;   ///< In project files and --set, e.g. "roughness".
@@ -58,7 +59,8 @@ std::span<const Property<Owner>> propertiesOf();
 
 enum class EntityKind { Object, Light, Material, Group, Camera, Background, Timeline, Render };
 
-/// Names one thing in a scene that has properties; `id` counts for objects, lights, materials and groups only.
+/// Names one thing in a scene that has properties; `id` counts for objects, lights, materials and groups
+/// only.
 struct EntityRef {
     EntityKind kind = EntityKind::Camera;
     Id id = noId;
@@ -92,6 +94,9 @@ Result<void> setProperty(Scene& scene, EntityRef entity, std::string_view key, c
 /// Whether a property of objects, by its key, is the name of one of the object's own clips. Its kind is Text,
 /// as projects may name clips that could not be loaded; --set and panels offer what there is.
 bool namesClip(std::string_view key);
+
+/// Whether the scene has it; camera, background, timeline and render settings always are there.
+bool exists(const Scene& scene, EntityRef entity);
 
 /// The name of an object, light, material or group; "Camera", "Background", ... for the rest.
 std::string displayName(const Scene& scene, EntityRef entity);

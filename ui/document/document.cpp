@@ -1,7 +1,6 @@
 #include "ui/document/document.h"
 
 #include "core/scene/edits.h"
-#include "core/scene/hierarchy.h"
 #include "ui/document/scene_command.h"
 #include "ui/document/strings.h"
 
@@ -12,21 +11,6 @@
 
 namespace prizma {
 namespace {
-
-bool exists(const Scene& scene, EntityRef entity) {
-    switch (entity.kind) {
-    case EntityKind::Object:
-        return scene.findObject(entity.id) != nullptr;
-    case EntityKind::Light:
-        return scene.findLight(entity.id) != nullptr;
-    case EntityKind::Material:
-        return scene.findMaterial(entity.id) != nullptr;
-    case EntityKind::Group:
-        return findGroup(scene, entity.id) != nullptr;
-    default:
-        return true;
-    }
-}
 
 QString labelOf(const Scene& scene, EntityRef entity, std::string_view key) {
     for (const PropertyInfo& info : properties(scene, entity))
